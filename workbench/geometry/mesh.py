@@ -1,0 +1,35 @@
+"""Wetted panels of a hull that is given as a mesh."""
+
+import math
+
+import numpy as np
+
+from workbench.design import Hull
+from workbench.errors import InputError
+from workbench.geometry.faceted import Panels, cleaned
+from workbench.hulls.surface_mesh import below_water
+from workbench.shapes import PanelMesh
+
+
+def placed_vertices(hull: Hull, shape: PanelMesh, x: float, y: float) -> np.ndarray:
+    """Vertices (n, 3) of a mesh hull in ship axes [m]; its own axes stand at (x, y) before heel.
+
+    Heel is a rotation about x, trim a shear, z - x tan(trim).
+    """
+    vertices = np.array(shape.vertices)
+    along, across, up = vertices[:, 0] + x, vertices[:, 1] + y, vertices[:, 2]
+    cosine, sine = math.cos(hull.heel), math.sin(hull.heel)
+    across, up = across * cosine - up * sine, across * sine + up * cosine
+    return np.stack([along, across, up - along * math.tan(hull.trim) - hull.sinkage], axis=1)
+
+
+def wetted_mesh(hull: Hull, shape: PanelMesh, x: float, y: float) -> Panels:
+    """Panels of a mesh hull below still water, in ship axes."""
+    vertices = placed_vertices(hull, shape, x, y)
+    if vertices[:, 2].min() >= 0.0:
+        raise InputError(
+            f"hull at y = {y:g} m must reach the water, its lowest point is {vertices[:, 2].min():g} m above "
+            "still water; reduce heel, trim or rise."
+        )
+    vertices, faces = below_water(vertices, np.array(shape.faces))
+    return cleaned(vertices, faces, np.zeros(len(faces), bool), mirrored=False)
