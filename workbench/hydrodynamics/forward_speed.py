@@ -1,0 +1,268 @@
+"""Added mass, damping and wave forces at speed, from the radiation potentials of hulls at rest.
+
+Speed enters as in strip theory [STF1970]_, but on three-dimensional potentials:
+through the encounter frequency, through the m-terms of pitch and yaw in a uniform
+stream, through the convective pressure by the Ogilvie-Tuck theorem and, behind a
+transom that runs dry, through its end terms. Diffraction forces follow from the
+radiation potentials by Haskind's relation, so that waves, headings and speeds
+cost sums over panels and no matrix.
+
+With exp(-i omega_e t), unit-velocity potentials phi_k, outward normals and
+x forward (complex conjugate of [Grande2002]_ A1.87, A1.97-A1.99, which use
+exp(+i omega_e t))::
+
+    F_jk = F0_jk                       F0_jk = -rho omega_e^2 int phi_k n_j
+    F_5k += U/(i omega_e) F0_3k        F_j5 -= U/(i omega_e) F0_j3     (pitch)
+    F_6k -= U/(i omega_e) F0_2k        F_j6 += U/(i omega_e) F0_j2     (yaw)
+    F_jk -= U/(i omega_e) t_jk         t_jk = -rho omega_e^2 line integral of phi_k n_j at the transom
+
+.. [STF1970] N. Salvesen, E. O. Tuck and O. Faltinsen, "Ship motions and sea loads",
+    Trans. SNAME 78, 250-287, 1970.
+.. [Grande2002] K. Grande, "Prediction of slamming occurrence of catamarans", MSc thesis,
+    Curtin University of Technology, 2002, appendix 1.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from scipy.interpolate import CubicSpline
+
+from workbench import quantities
+from workbench.conventions import GRAVITY, MODES, encounter_frequency, wavenumber
+from workbench.hydrodynamics.potential_flow import refuse_overtaken_waves
+from workbench.hydrodynamics.radiation import (
+    SYMMETRIC_MODES,
+    incident_normal_velocity,
+    incident_potential,
+    mode_normals,
+)
+
+VENTILATION_FROUDE_NUMBER = 2.5
+"""Froude number on the transom draught from which the transom is taken to run dry [-]."""
+
+
+class RadiatingBody(NamedTuple):
+    """Potentials of one independent set of panels, and where its own origin stands in the ship [m]."""
+
+    radiation: xr.Dataset
+    x: float = 0.0
+    y: float = 0.0
+
+
+def at_encounter_frequency(nodes: np.ndarray, values: np.ndarray, frequency: np.ndarray) -> np.ndarray:
+    """Values (..., first axis frequency) at other frequencies.
+
+    Parameters
+    ----------
+    nodes : increasing frequencies [rad/s], the last infinite.
+    values : (len(nodes), ...) complex.
+    frequency : wanted frequencies [rad/s].
+
+    Notes
+    -----
+    Cubic splines between the finite nodes, exact at them; constant below the
+    first; above the last finite node the approach to the infinite-frequency
+    value as 1/frequency**2.
+    """
+    finite = nodes[:-1]
+    inside = np.clip(frequency, finite[0], finite[-1])
+    if len(finite) == 1:
+        found = np.repeat(values[:1], len(frequency), axis=0)
+    elif np.all(np.isin(inside, finite)):
+        found = values[np.searchsorted(finite, inside)]
+    else:
+        found = CubicSpline(finite, values[:-1], axis=0)(inside)
+    above = (finite[-1] / np.maximum(frequency, finite[-1])) ** 2
+    above = above.reshape(-1, *([1] * (values.ndim - 1)))
+    return values[-1] + (found - values[-1]) * above
+
+
+def transom_draught(body: RadiatingBody) -> float:
+    """Depth of the deepest transom panel centre [m]; 0 without a transom."""
+    radiation = body.radiation
+    depths = -radiation.panel_centre.sel(axis="z").values[radiation.panel_is_transom.values == 1]
+    return float(depths.max()) if depths.size else 0.0
+
+
+def transom_is_dry(body: RadiatingBody, speed: float) -> bool:
+    """Whether the flow leaves the transom dry: U/sqrt(g T) above `VENTILATION_FROUDE_NUMBER`."""
+    draught = transom_draught(body)
+    return draught > 0 and speed > VENTILATION_FROUDE_NUMBER * np.sqrt(GRAVITY * draught)
+
+
+def body_coefficients(
+    body: RadiatingBody, omega: np.ndarray, wave_directions: np.ndarray, speed: float, density: float
+) -> dict[str, np.ndarray]:
+    """Coefficients and forces of one body about its own origin, for a wave with its crest there.
+
+    Returns arrays over (omega, wave_direction): ``radiation`` complex force per
+    unit motion omega_e^2 A + i omega_e B, ``froude_krylov`` and ``diffraction``.
+    """
+    radiation = body.radiation
+    mirrored = bool(radiation.attrs["mirrored"])
+    centres, normals = radiation.panel_centre.values, radiation.panel_normal.values
+    modes = mode_normals(centres, normals)
+    weights = radiation.panel_area.values * (2.0 if mirrored else 1.0)
+    shape = (len(omega), len(wave_directions))
+    encounter = encounter_frequency(omega[:, None], speed, wave_directions[None, :])
+    flat = encounter.ravel()
+    distinct, back = np.unique(flat, return_inverse=True)
+    potential = at_encounter_frequency(
+        radiation.encounter_omega.values, radiation.radiation_potential.values, distinct
+    )
+
+    same_parity = np.ones((6, 6))
+    if mirrored:
+        symmetric = np.isin(range(6), SYMMETRIC_MODES)
+        same_parity = (symmetric[:, None] == symmetric[None, :]).astype(float)
+    at_rest = np.einsum("fkp,jp->fjk", potential, modes * weights, optimize=True) * same_parity
+    line = np.zeros_like(at_rest)
+    if transom_is_dry(body, speed):
+        last, girth = _last_strip(radiation)
+        line = np.einsum("fkp,jp->fjk", potential[:, :, last], modes[:, last] * girth, optimize=True)
+        line *= same_parity * (2.0 if mirrored else 1.0)
+    scale = -density * distinct[:, None, None] ** 2
+    ratio = speed / (1j * distinct)
+    force = _with_speed(scale * at_rest, scale * line, ratio)[back].reshape(*shape, 6, 6)
+
+    froude_krylov = np.zeros((*shape, 6), complex)
+    diffraction = np.zeros((*shape, 6), complex)
+    mirror = np.array([1.0, -1.0, 1.0])
+    parity = np.where(np.isin(range(6), SYMMETRIC_MODES), 1.0, -1.0)[:, None]
+    back = back.reshape(shape)
+    for i, frequency in enumerate(omega):
+        for j, direction in enumerate(wave_directions):
+            wave = incident_potential(centres, frequency, direction)
+            velocity = incident_normal_velocity(centres, normals, frequency, direction)
+            if mirrored:
+                other_wave = incident_potential(centres * mirror, frequency, direction)
+                other = incident_normal_velocity(centres * mirror, normals * mirror, frequency, direction)
+                wave = (wave + parity * other_wave) / 2
+                velocity = (velocity + parity * other) / 2
+            own = potential[back[i, j]]
+            froude_krylov[i, j] = -1j * density * frequency * np.sum(modes * wave * weights, axis=1)
+            met = encounter[i, j]
+            diffracted = 1j * density * met * np.sum(own * velocity * weights, axis=1)
+            diffraction[i, j] = _force_with_speed(diffracted, speed / (1j * met))
+    return {
+        "encounter": encounter,
+        "radiation": force,
+        "froude_krylov": froude_krylov,
+        "diffraction": diffraction,
+    }
+
+
+def _with_speed(at_rest: np.ndarray, line: np.ndarray, ratio: np.ndarray) -> np.ndarray:
+    """Add the speed terms of the module's head to radiation forces (frequency, j, k)."""
+    ratio = ratio[:, None]
+
+    def columns(force):
+        full = force.copy()
+        full[:, :, 4] -= ratio * force[:, :, 2]
+        full[:, :, 5] += ratio * force[:, :, 1]
+        return full
+
+    moving, end = columns(at_rest), columns(line)
+    full = moving.copy()
+    full[:, 4, :] += ratio * moving[:, 2, :]
+    full[:, 5, :] -= ratio * moving[:, 1, :]
+    return full - ratio[:, :, None] * end
+
+
+def _force_with_speed(at_rest: np.ndarray, ratio: complex) -> np.ndarray:
+    """Add the speed terms to a diffraction force (6)."""
+    force = at_rest.copy()
+    force[4] += ratio * at_rest[2]
+    force[5] -= ratio * at_rest[1]
+    return force
+
+
+def _last_strip(radiation: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
+    """Return the wetted panels next to the transom, and the girth each of them covers [m]."""
+    x = radiation.panel_centre.sel(axis="x").values
+    hull = radiation.panel_is_transom.values == 0
+    nearest = x[hull].min()
+    half_length = nearest - radiation.attrs["transom_end"]
+    last = np.flatnonzero(hull & (x < nearest + 0.5 * half_length))
+    across = np.hypot(*radiation.panel_normal.values[last, 1:].T)
+    return last, radiation.panel_area.values[last] * across / (2 * half_length)
+
+
+def hydrodynamics(
+    bodies: Sequence[RadiatingBody],
+    omega: Sequence[float],
+    wave_directions: Sequence[float],
+    speed: float,
+    density: float,
+    *,
+    method: str = "potential-flow",
+    warnings: Sequence[str] = (),
+) -> xr.Dataset:
+    """Added mass, damping and wave forces of a ship at speed, about the origin.
+
+    Parameters
+    ----------
+    bodies : one body (all hulls together, with interaction) or several (hulls
+        that do not feel each other).
+    omega : wave frequencies [rad/s]; wave_directions : [rad]; speed : [m/s]; density : [kg/m3].
+    method, warnings : go into the attributes of the result.
+
+    Returns
+    -------
+    Dataset over (omega, wave_direction): ``added_mass``, ``radiation_damping``
+    (influenced_dof, radiating_dof), ``excitation_force`` with its parts
+    ``froude_krylov_force`` and ``diffraction_force``, ``encounter_frequency``,
+    ``wavenumber``.
+
+    Raises
+    ------
+    InputError where the ship overtakes the waves.
+
+    Notes
+    -----
+    Valid for slender hulls and Fn below about 0.2, a rough guide above. Costs
+    some milliseconds per hundred waves and hull.
+    """
+    omega = np.asarray(omega, float)
+    directions = np.asarray(wave_directions, float)
+    refuse_overtaken_waves(omega, directions, speed)
+    encounter = encounter_frequency(omega[:, None], speed, directions[None, :])
+    radiation = np.zeros((len(omega), len(directions), 6, 6), complex)
+    froude_krylov = np.zeros((len(omega), len(directions), 6), complex)
+    diffraction = np.zeros_like(froude_krylov)
+    k = wavenumber(omega)[:, None]
+    computed: dict[int, dict[str, np.ndarray]] = {}
+    for body in bodies:
+        key = id(body.radiation)
+        if key not in computed:
+            computed[key] = body_coefficients(body, omega, directions, speed, density)
+        own = computed[key]
+        shift = np.eye(6)  # motions of the body's origin from motions of the ship's
+        shift[1, 5], shift[2, 4], shift[0, 5], shift[2, 3] = body.x, -body.x, -body.y, body.y
+        phase = np.exp(1j * k * (body.x * np.cos(directions) + body.y * np.sin(directions)))[..., None]
+        radiation += np.einsum("ja,fbjk,kc->fbac", shift, own["radiation"], shift)
+        froude_krylov += phase * (own["froude_krylov"] @ shift)
+        diffraction += phase * (own["diffraction"] @ shift)
+
+    matrix = ("omega", "wave_direction", "influenced_dof", "radiating_dof")
+    vector = ("omega", "wave_direction", "influenced_dof")
+    return quantities.dataset(
+        {
+            "omega": omega,
+            "wave_direction": directions,
+            "influenced_dof": list(MODES),
+            "radiating_dof": list(MODES),
+        },
+        method=method,
+        warnings=warnings,
+        attrs={"speed": float(speed), "density": float(density), "solver": bodies[0].radiation.attrs["solver"]},
+        added_mass=(matrix, radiation.real / encounter[..., None, None] ** 2),
+        radiation_damping=(matrix, radiation.imag / encounter[..., None, None]),
+        froude_krylov_force=(vector, froude_krylov),
+        diffraction_force=(vector, diffraction),
+        excitation_force=(vector, froude_krylov + diffraction),
+        encounter_frequency=(("omega", "wave_direction"), encounter),
+        wavenumber=("omega", wavenumber(omega)),
+    )

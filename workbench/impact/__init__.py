@@ -1,0 +1,1 @@
+"""Impact pressure from entry velocity and relative angle."""

@@ -1,0 +1,283 @@
+"""The stages in order: from a design and a condition to motions, slamming and pressure.
+
+Results of falling price per change: `response` (hull, masses, speed, headings:
+seconds to minutes for a new hull, milliseconds for a known one), `deck_response`
+(plan of the deck: tens of milliseconds), `slamming` (sea, clearance, criterion:
+tens of milliseconds). Each takes only what it needs, so that raising the deck
+cannot rerun the hydrodynamics. `counted_slams` draws a realisation and counts.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+
+from workbench import potential_flow_stage as stage
+from workbench import quantities
+from workbench.conventions import froude_number
+from workbench.design import Design, WetDeck
+from workbench.errors import InputError, checked_number
+from workbench.geometry.hydrostatics import equilibrium, hydrostatic_stiffness, hydrostatics
+from workbench.geometry.wet_deck import wet_deck_grid
+from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.impact.pressure import PressureLaw
+from workbench.motions import motions
+from workbench.relative_motion import relative_motion
+from workbench.seas import Condition, spreading_weights, wave_spectrum
+from workbench.slamming import criteria, events, extremes, statistics
+from workbench.time_domain import Realisation, relative_amplitudes, wave_components
+
+DECK_POINTS = (40, 10)
+"""Points of the deck grid, lengthwise and across."""
+
+
+def silent(fraction: float, message: str) -> None:
+    """Take notice of progress, and do nothing."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Response:
+    """Hydrodynamics and motions of a ship at one speed, for all its headings and frequencies."""
+
+    design: Design
+    speed: float
+    settings: PotentialFlowSettings
+    hydrostatics: xr.Dataset
+    hydrodynamics: xr.Dataset
+    motions: xr.Dataset
+    wave_field: xr.Dataset | None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Slamming:
+    """Closed-form slamming of a deck in one condition."""
+
+    condition: Condition
+    deck: xr.Dataset
+    clearance: float
+    threshold: float
+    law: PressureLaw
+    hours: float
+    criterion_per_hour: float
+    moments: xr.Dataset
+    statistics: xr.Dataset
+    motion_statistics: xr.Dataset
+    least_clearance: float
+
+    @property
+    def worst_point(self) -> dict[str, int]:
+        """Indices of the deck point that slams most (where none does, that is nearest to it)."""
+        exponent = self.deck.height / self.moments.relative_motion_std.clip(1e-12)
+        rate = self.statistics.slams_per_hour
+        chosen = rate if float(rate.max()) > 0 else -exponent
+        row, column = np.unravel_index(int(np.argmax(chosen.values)), chosen.shape)
+        return {"x": int(row), "y": int(column)}
+
+
+def response(
+    design: Design,
+    speed: float,
+    wave_directions: Sequence[float] | None = None,
+    omega: Sequence[float] | None = None,
+    settings: PotentialFlowSettings | None = None,
+    *,
+    workers: int = 1,
+    progress: Callable[[float, str], None] = silent,
+) -> Response:
+    """Hydrodynamics and motions of a design at one speed.
+
+    Parameters
+    ----------
+    design : hull and masses are used, and the density of its water.
+    speed : [m/s].
+    wave_directions : [rad]; None takes 0 to 180 degrees by 15, less those in which the ship overtakes waves.
+    omega : wave frequencies [rad/s]; None takes `potential_flow_stage.wave_frequencies`.
+    settings : of the potential-flow method.
+    workers : processes for a new hull; progress : called with fraction and sentence, may raise to cancel.
+
+    Raises
+    ------
+    InputError for a design out of equilibrium, waves too short for the panels, or a
+    speed and heading at which the ship overtakes the waves.
+    """
+    checked_number("speed", speed, "m/s", at_least=0, at_most=60)
+    settings = settings or PotentialFlowSettings()
+    afloat = hydrostatics(design.hull, design.density)
+    notes = equilibrium(design.hull, design.masses, design.density)
+    if wave_directions is None:
+        wave_directions = stage.usual_directions(design.hull.length, speed)
+    hydrodynamics, wave_field = stage.hydrodynamics(
+        design.hull,
+        design.density,
+        speed,
+        wave_directions,
+        omega,
+        settings,
+        workers=workers,
+        progress=progress,
+    )
+    stiffness = hydrostatic_stiffness(design.hull, design.masses, design.density)
+    hydrodynamics.attrs["warnings"] = "\n".join(
+        dict.fromkeys([*notes, *quantities.warnings_of(hydrodynamics)])
+    )
+    return Response(
+        design=design,
+        speed=float(speed),
+        settings=settings,
+        hydrostatics=afloat,
+        hydrodynamics=hydrodynamics,
+        motions=motions(hydrodynamics, design.masses, stiffness),
+        wave_field=wave_field,
+    )
+
+
+def deck_response(
+    ship: Response,
+    wet_deck: WetDeck,
+    points: tuple[int, int] = DECK_POINTS,
+    *,
+    velocity: str = "time-derivative",
+) -> xr.Dataset:
+    """Relative motion, velocity and slope per wave amplitude over a deck (omega, wave_direction, x, y).
+
+    Depends on the plan of the deck, not on its height.
+    """
+    return relative_motion(ship.motions, wet_deck_grid(wet_deck, *points), ship.wave_field, velocity=velocity)
+
+
+def wave_energy(condition: Condition, omega: xr.DataArray, wave_directions: xr.DataArray) -> xr.DataArray:
+    """Spectrum times the share of each direction (omega, wave_direction) [m2 s/rad].
+
+    Raises
+    ------
+    InputError if the condition's direction is not among (within half a degree of) the computed ones.
+    """
+    directions = wave_directions.values
+    away = np.abs(np.angle(np.exp(1j * (directions - condition.wave_direction))))
+    if away.min() > np.radians(0.5):
+        known = ", ".join(f"{np.degrees(direction):.0f}" for direction in directions)
+        raise InputError(
+            f"wave direction must be one of the computed ones ({known} degrees), got "
+            f"{np.degrees(condition.wave_direction):.1f} degrees; compute that heading first."
+        )
+    shares = spreading_weights(directions, condition.wave_direction, condition.sea_state.spreading_exponent)
+    spectrum = wave_spectrum(condition.sea_state, omega.values)
+    return xr.DataArray(
+        spectrum[:, None] * shares, coords={"omega": omega, "wave_direction": wave_directions}
+    )
+
+
+def threshold_of(choice: str | float, design: Design) -> float:
+    """Threshold velocity [m/s] from 0, a number, or "ochi" (0.093 sqrt(g L))."""
+    if choice == "ochi":
+        return float(statistics.threshold_velocity(design.hull.length))
+    return checked_number("threshold velocity", choice, "m/s", at_least=0, at_most=50)
+
+
+def slamming(
+    ship: Response,
+    relative: xr.Dataset,
+    wet_deck: WetDeck,
+    condition: Condition,
+    *,
+    threshold: str | float = 0.0,
+    law: PressureLaw | None = None,
+    hours: float = 1.0,
+    criterion_per_hour: float = criteria.CRITERION_SLAMS_PER_HOUR,
+) -> Slamming:
+    """Closed-form slamming statistics of a deck in a sea.
+
+    Parameters
+    ----------
+    ship : from `response`; relative : from `deck_response` for a deck of the same plan.
+    wet_deck : its height counts here; condition : at the speed of ``ship``.
+    threshold : least entry velocity [m/s], or "ochi".
+    law : pressure law; hours : for the most probable largest pressure [h].
+    criterion_per_hour : slams per hour that are allowed.
+    """
+    checked_number("hours", hours, "h", above=0, at_most=1e5)
+    checked_number("criterion", criterion_per_hour, "slams per hour", above=0, at_most=3600)
+    if abs(condition.speed - ship.speed) > 1e-6 * max(ship.speed, 1.0):
+        raise InputError(
+            f"speed of the condition must be that of the computed response, {ship.speed:g} m/s, "
+            f"got {condition.speed:g} m/s; compute the response at the new speed."
+        )
+    law = law or PressureLaw()
+    least_velocity = threshold_of(threshold, ship.design)
+    deck = wet_deck_grid(wet_deck, relative.sizes["x"], relative.sizes["y"])
+    energy = wave_energy(condition, relative.omega, relative.wave_direction)
+    moments = statistics.response_moments(relative, energy)
+    found = statistics.slamming_statistics(moments, deck.height, least_velocity)
+    found["most_probable_entry_velocity"] = extremes.largest_entry_velocity(moments, found, hours)
+    found["most_probable_peak_pressure"] = extremes.largest_peak_pressure(
+        moments, found, deck, law, ship.design.density, hours
+    )
+    found["required_height"] = criteria.required_height(moments, criterion_per_hour, least_velocity)
+    notes = (*quantities.warnings_of(found), *law.validity, *_band_notes(energy, condition))
+    found.attrs["warnings"] = "\n".join(dict.fromkeys(notes))
+    found.attrs["speed"] = ship.speed
+    found.attrs["froude_number"] = float(froude_number(ship.speed, ship.design.hull.length))
+    return Slamming(
+        condition=condition,
+        deck=deck,
+        clearance=wet_deck.clearance,
+        threshold=least_velocity,
+        law=law,
+        hours=hours,
+        criterion_per_hour=criterion_per_hour,
+        moments=moments,
+        statistics=found,
+        motion_statistics=statistics.motion_statistics(ship.motions, energy),
+        least_clearance=criteria.least_clearance(
+            moments, deck.height, wet_deck.clearance, criterion_per_hour, least_velocity
+        ),
+    )
+
+
+def _band_notes(energy: xr.DataArray, condition: Condition) -> tuple[str, ...]:
+    """Say so where the computed frequencies miss much of the sea."""
+    omega = energy.omega.values
+    covered = np.trapezoid(energy.sum("wave_direction").values, omega)
+    share = covered / (condition.sea_state.significant_wave_height**2 / 16)
+    if share > 0.95:
+        return ()
+    return (
+        f"The computed waves of omega {omega[0]:.2f} to {omega[-1]:.2f} rad/s hold {100 * share:.0f} % of the energy "
+        "of this sea: the rest is too long or too short for this ship and is left out.",
+    )
+
+
+def counted_slams(
+    ship: Response,
+    relative: xr.Dataset,
+    slam: Slamming,
+    realisation: Realisation | None = None,
+) -> tuple[xr.Dataset, xr.Dataset]:
+    """Slams counted in a realisation of the condition: events, and counts with bands per point.
+
+    Costs about 3 s for one hour on 400 points at full scale.
+    """
+    realisation = realisation or Realisation()
+    components = wave_components(
+        slam.condition, realisation, float(relative.omega.min()), float(relative.omega.max())
+    )
+    rise, slope = relative_amplitudes(components, ship.motions, relative)
+    found = events.entries(
+        rise,
+        slope,
+        components.component_frequency.values,
+        slam.deck,
+        duration=3600 * realisation.hours,
+        time_step=realisation.time_step or time_step(ship.design.hull.length),
+        threshold=slam.threshold,
+        law=slam.law,
+        density=ship.design.density,
+    )
+    found.attrs["seed"] = int(realisation.seed)
+    return found, events.counts(found, slam.deck)
+
+
+def time_step(length: float) -> float:
+    """Usual time step of a record [s]: 1/20 s for a ship of 60 m, by Froude's law for others, at most 1/20 s."""
+    return 0.05 * min(1.0, float(np.sqrt(length / 60.0)))

@@ -1,0 +1,198 @@
+"""The one table of names: what each quantity is called, its unit and its symbol; and the maker of result Datasets.
+
+Every variable and coordinate of every result carries ``units``, ``long_name``
+and ``symbol`` from this table. A name that is not here cannot enter a result.
+"""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+import xarray as xr
+
+from workbench import __version__
+
+
+class Quantity(NamedTuple):
+    """Unit (SI, '1' if none), label for axes, and symbol (matplotlib mathtext)."""
+
+    units: str
+    long_name: str
+    symbol: str
+
+
+TABLE: dict[str, Quantity] = {
+    # coordinates
+    "omega": Quantity("rad/s", "wave frequency", r"$\omega$"),
+    "encounter_omega": Quantity("rad/s", "encounter frequency of the solution", r"$\omega_e$"),
+    "wave_direction": Quantity("rad", "wave direction", r"$\beta$"),
+    "x": Quantity("m", "distance forward of amidships", "$x$"),
+    "y": Quantity("m", "distance to port of the centreline", "$y$"),
+    "z": Quantity("m", "height above still water", "$z$"),
+    "time": Quantity("s", "time", "$t$"),
+    "clearance": Quantity("m", "wet-deck clearance", "$d$"),
+    "vertex": Quantity("1", "vertex number", "$i$"),
+    "face": Quantity("1", "panel number", "$i$"),
+    "corner": Quantity("1", "corner number", "$i$"),
+    "axis": Quantity("1", "axis", ""),
+    "component": Quantity("1", "wave component number", "$j$"),
+    "event": Quantity("1", "slam number", "$i$"),
+    "velocity_class": Quantity("1", "class of entry velocity squared", "$i$"),
+    "dof": Quantity("1", "mode of motion", "$j$"),
+    "radiating_dof": Quantity("1", "mode that moves", "$k$"),
+    "influenced_dof": Quantity("1", "mode that feels", "$j$"),
+    "frame": Quantity("1", "part of the wave field", ""),
+    "field_x": Quantity("m", "distance forward of amidships", "$x$"),
+    "field_y": Quantity("m", "distance to port of the centreline", "$y$"),
+    "sea_x": Quantity("m", "distance forward of amidships", "$x$"),
+    "sea_y": Quantity("m", "distance to port of the centreline", "$y$"),
+    # design and hydrostatics
+    "volume": Quantity("m3", "volume of displacement", r"$\nabla$"),
+    "displacement": Quantity("kg", "displacement", r"$\Delta$"),
+    "waterplane_area": Quantity("m2", "waterplane area", "$A_w$"),
+    "wetted_surface": Quantity("m2", "wetted surface", "$S$"),
+    "centre_of_buoyancy": Quantity("m", "centre of buoyancy", "$x_B$"),
+    "centre_of_flotation": Quantity("m", "centre of flotation", "$x_F$"),
+    "transverse_metacentric_height": Quantity("m", "transverse metacentric height", "$GM_T$"),
+    "longitudinal_metacentric_height": Quantity("m", "longitudinal metacentric height", "$GM_L$"),
+    "block_coefficient": Quantity("1", "block coefficient of one hull", "$C_B$"),
+    "hydrostatic_stiffness": Quantity("N/m, N, N m", "hydrostatic stiffness", "$C_{jk}$"),
+    "mass_matrix": Quantity("kg, kg m, kg m2", "mass matrix", "$M_{jk}$"),
+    "height": Quantity("m", "height of the wet deck above still water", "$z_d$"),
+    "slope_x": Quantity("1", "longitudinal slope of the wet deck", r"$\partial z_d/\partial x$"),
+    "slope_y": Quantity("1", "transverse slope of the wet deck", r"$\partial z_d/\partial y$"),
+    "area": Quantity("m2", "area of the wet deck at the point", "$a$"),
+    # hydrodynamics
+    "added_mass": Quantity("kg, kg m, kg m2", "added mass", "$A_{jk}$"),
+    "radiation_damping": Quantity("kg/s, kg m/s, kg m2/s", "radiation damping", "$B_{jk}$"),
+    "excitation_force": Quantity("N/m, N", "wave exciting force per wave amplitude", "$F_j$"),
+    "froude_krylov_force": Quantity("N/m, N", "Froude-Krylov force per wave amplitude", "$F^I_j$"),
+    "diffraction_force": Quantity("N/m, N", "diffraction force per wave amplitude", "$F^D_j$"),
+    "encounter_frequency": Quantity("rad/s", "encounter frequency", r"$\omega_e$"),
+    "wavenumber": Quantity("rad/m", "wave number", "$k$"),
+    "radiation_potential": Quantity("m2", "radiation potential per unit velocity", r"$\varphi_k$"),
+    "radiated_elevation": Quantity(
+        "m/m, m/rad", "radiated wave elevation per motion amplitude", r"$\eta_k$"
+    ),
+    "diffracted_elevation": Quantity("m/m", "diffracted wave elevation per wave amplitude", r"$\eta_D$"),
+    "panel_centre": Quantity("m", "panel centre", "$x$"),
+    "panel_normal": Quantity("1", "panel normal, outward", "$n$"),
+    "panel_is_transom": Quantity("1", "panel of a transom", ""),
+    "panel_area": Quantity("m2", "panel area", "$a$"),
+    # motions
+    "motion_rao": Quantity("m/m, rad/m", "motion per wave amplitude", r"$\xi_j/\zeta_a$"),
+    "wave_at_reference": Quantity("m/m", "wave elevation at the centre of gravity", r"$\zeta_G$"),
+    "relative_motion": Quantity("m/m", "relative motion per wave amplitude", r"$r/\zeta_a$"),
+    "relative_velocity": Quantity("m/s/m", "relative velocity per wave amplitude", r"$\dot r/\zeta_a$"),
+    "relative_slope": Quantity("1/m", "relative slope along the deck per wave amplitude", r"$r_x/\zeta_a$"),
+    "wave_spectrum": Quantity("m2 s/rad", "wave spectrum", r"$S_\zeta$"),
+    # statistics
+    "significant_wave_height": Quantity("m", "significant wave height", "$H_s$"),
+    "peak_period": Quantity("s", "peak period", "$T_p$"),
+    "motion_std": Quantity("m, rad", "standard deviation of motion", r"$\sigma_j$"),
+    "velocity_std": Quantity("m/s, rad/s", "standard deviation of velocity", r"$\dot\sigma_j$"),
+    "acceleration_std": Quantity("m/s2, rad/s2", "standard deviation of acceleration", r"$\ddot\sigma_j$"),
+    "relative_motion_std": Quantity("m", "standard deviation of relative motion", r"$\sigma_r$"),
+    "relative_velocity_std": Quantity("m/s", "standard deviation of relative velocity", r"$\sigma_{\dot r}$"),
+    "relative_slope_std": Quantity("1", "standard deviation of relative slope", r"$\sigma_{r_x}$"),
+    "velocity_slope_covariance": Quantity(
+        "m/s", "covariance of relative velocity and relative slope", r"$\sigma_{\dot r r_x}$"
+    ),
+    "motion_slope_covariance": Quantity(
+        "m", "covariance of relative motion and relative slope", r"$\sigma_{r r_x}$"
+    ),
+    "upcrossing_rate": Quantity("1/s", "zero up-crossing rate of relative motion", r"$\nu_0$"),
+    "slamming_probability": Quantity("1", "probability of a slam per cycle of relative motion", "$P$"),
+    "slamming_rate": Quantity("1/s", "slamming rate", r"$\nu$"),
+    "slams_per_hour": Quantity("1/h", "slams per hour", "$N$"),
+    "slams_per_100_encounters": Quantity("1", "slams per 100 encounters", "$N_{100}$"),
+    "mean_entry_velocity": Quantity("m/s", "mean entry velocity", r"$\bar v$"),
+    "most_probable_entry_velocity": Quantity("m/s", "most probable largest entry velocity", r"$\hat v$"),
+    "most_probable_peak_pressure": Quantity("Pa", "most probable largest peak pressure", r"$\hat p$"),
+    "required_height": Quantity("m", "height of the wet deck that meets the criterion", "$z_{req}$"),
+    "least_clearance": Quantity("m", "least clearance that meets the criterion", "$d_{min}$"),
+    "counted_per_hour": Quantity("1/h", "slams counted per hour", "$N_c$"),
+    "counted_band_low": Quantity("1/h", "lower end of the sampling band", "$N_-$"),
+    "counted_band_high": Quantity("1/h", "upper end of the sampling band", "$N_+$"),
+    # time histories and events
+    "motion": Quantity("m, rad", "motion", r"$\xi_j$"),
+    "elevation": Quantity("m", "wave elevation", r"$\zeta$"),
+    "relative_motion_history": Quantity("m", "relative motion", "$r$"),
+    "clearance_left": Quantity("m", "clearance left", "$d - r$"),
+    "pressure": Quantity("Pa", "peak impact pressure", "$p$"),
+    "event_time": Quantity("s", "time of entry", "$t_i$"),
+    "event_x": Quantity("m", "position of entry", "$x_i$"),
+    "event_y": Quantity("m", "position of entry", "$y_i$"),
+    "entry_velocity": Quantity("m/s", "entry velocity", "$v$"),
+    "entry_angle": Quantity("rad", "angle between deck and water at entry", r"$\xi$"),
+    "entry_pitch": Quantity("rad", "pitch at entry", r"$\theta$"),
+    "peak_pressure": Quantity("Pa", "peak pressure of the entry", "$p_t$"),
+    "class_limit": Quantity("m2/s2", "upper limit of entry velocity squared", "$v^2$"),
+    "class_count": Quantity("1", "number of slams in the class", "$n$"),
+    "component_amplitude": Quantity("m", "amplitude of the wave component", "$a_j$"),
+    "component_omega": Quantity("rad/s", "frequency of the wave component", r"$\omega_j$"),
+    "component_direction": Quantity("rad", "direction of the wave component", r"$\beta_j$"),
+    "component_frequency": Quantity("rad/s", "encounter frequency of the component", r"$\omega_{e,j}$"),
+    "component_kx": Quantity("rad/m", "longitudinal wave number of the component", "$k_x$"),
+    "component_ky": Quantity("rad/m", "transverse wave number of the component", "$k_y$"),
+    "component_phase": Quantity("rad", "phase of the wave component", r"$\varepsilon_j$"),
+    # drawing
+    "pose": Quantity("m, rad", "motion of the origin", r"$\xi_j$"),
+    "hull_vertices": Quantity("m", "hull surface points", "$x$"),
+    "hull_faces": Quantity("1", "hull surface faces", ""),
+    "deck_height": Quantity("m", "height of the wet deck above still water", "$z_d$"),
+}
+
+
+def attributes(name: str) -> dict[str, str]:
+    """Return the ``units``, ``long_name`` and ``symbol`` of a quantity; KeyError if it is not in the table."""
+    return dict(TABLE[name]._asdict())
+
+
+def labelled(dataset: xr.Dataset) -> xr.Dataset:
+    """Return the Dataset with the attributes of this table on every variable and coordinate."""
+    labelled_dataset = dataset.copy()
+    for name in list(labelled_dataset.variables):
+        labelled_dataset[name].attrs.update(attributes(str(name)))
+    return labelled_dataset
+
+
+def dataset(
+    coords: Mapping | None = None,
+    *,
+    method: str = "",
+    warnings: Iterable[str] = (),
+    attrs: Mapping | None = None,
+    **variables,
+) -> xr.Dataset:
+    """Make a result Dataset.
+
+    Parameters
+    ----------
+    coords : as for `xarray.Dataset`.
+    method : name of the method that made the result.
+    warnings : sentences about limits of validity; kept in the attribute ``warnings``, a line each.
+    attrs : further attributes (inputs, versions).
+    **variables : as for `xarray.Dataset`, by names of the table.
+
+    Notes
+    -----
+    The attribute ``version`` is the version of this package.
+    """
+    made = labelled(xr.Dataset(dict(variables), coords=dict(coords or {})))
+    made.attrs = {"method": method, "version": __version__, **dict(attrs or {})}
+    made.attrs["warnings"] = "\n".join(dict.fromkeys(warnings))
+    return made
+
+
+def warnings_of(*datasets: xr.Dataset) -> tuple[str, ...]:
+    """Return the warnings of the Datasets, in order, each once."""
+    lines = (line for one in datasets for line in str(one.attrs.get("warnings", "")).split("\n"))
+    return tuple(dict.fromkeys(line for line in lines if line))
+
+
+def axis_label(variable: xr.DataArray) -> str:
+    """Return 'name symbol [unit]' for an axis."""
+    attrs = variable.attrs
+    words = f"{attrs.get('long_name', variable.name)} {attrs.get('symbol', '')}".strip()
+    unit = attrs.get("units", "1")
+    return words if unit == "1" else f"{words} [{unit}]"
