@@ -5,7 +5,7 @@ import math
 from dataclasses import dataclass
 
 from workbench.errors import InputError
-from workbench.shapes import HullShape, set_number
+from workbench.hull_shape import HullShape, set_number
 
 LARGEST_HEEL = math.radians(30.0)
 LARGEST_TRIM = math.radians(10.0)

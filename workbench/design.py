@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from workbench.arrangement import Hull, WetDeck
 from workbench.conventions import SEAWATER_DENSITY
 from workbench.errors import InputError, checked_choice, checked_number
-from workbench.shapes import set_number
+from workbench.hull_shape import set_number
 
 __all__ = ["Design", "Hull", "MassProperties", "WetDeck"]
 

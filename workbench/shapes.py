@@ -4,71 +4,35 @@ Every shape has ``length`` (of the waterline; also between perpendiculars),
 ``beam`` (largest, at or below the waterline), ``draught`` and ``depth`` (keel
 to deck edge) in metres. ``lcb`` is the longitudinal centre of buoyancy as a
 fraction of the length, from midships, positive forward. Angles are in radians.
+
+A parametric family meets the asked block coefficient and centre of buoyancy by
+solving for its inner numbers when it is made, or is refused with the range
+that it can reach.
 """
 
-import dataclasses
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-import numpy as np
+from workbench.errors import InputError, checked_choice
+from workbench.given_shapes import Offsets, PanelMesh
+from workbench.hull_shape import HullShape, set_number
+from workbench.hulls.families.fine_form import FineForm, inner_numbers
 
-from workbench.errors import InputError, checked_choice, checked_number
-from workbench.hulls.families.offset_table import checked_stations
-from workbench.hulls.surface_mesh import checked_mesh
-
-LENGTH_RANGE = 0.1, 1000.0
-BEAM_RANGE = 0.001, 300.0
-DRAUGHT_RANGE = 0.001, 100.0
-DEPTH_RANGE = 0.001, 300.0
-
-
-class HullShape:
-    """What all shapes have in common; use one of the subclasses."""
-
-    kind: ClassVar[str] = ""
-    length: float
-    beam: float
-    draught: float
-    depth: float
-    LENGTHS: ClassVar[tuple[str, ...]] = ("length", "beam", "draught", "depth")
-    """Names of the fields that scale with the length of the ship."""
-
-    def as_dict(self) -> dict:
-        """Return the shape as plain text and numbers, for files and content keys."""
-        fields = dataclasses.fields(self)  # type: ignore[arg-type]
-        return {"kind": self.kind, **{field.name: getattr(self, field.name) for field in fields}}
-
-    def scaled(self, factor: float) -> "HullShape":
-        """Return the geometrically similar shape, `factor` times as long."""
-        factor = checked_number("scale factor", factor, above=0.0)
-        lengths = {name: getattr(self, name) * factor for name in self.LENGTHS}
-        return dataclasses.replace(self, **lengths)  # type: ignore[type-var]
-
-    def _check_main_dimensions(self) -> None:
-        limits = (
-            ("length", LENGTH_RANGE),
-            ("beam", BEAM_RANGE),
-            ("draught", DRAUGHT_RANGE),
-            ("depth", DEPTH_RANGE),
-        )
-        for name, (least, most) in limits:
-            set_number(self, name, f"hull {name}", "m", at_least=least, at_most=most)
-        if self.draught >= self.depth:
-            raise InputError(
-                f"draught must be less than the depth of the hull ({self.depth:g} m, keel to deck edge), "
-                f"got {self.draught:g} m; raise the depth or reduce the draught."
-            )
-        if self.beam >= self.length:
-            raise InputError(
-                f"beam of one hull must be less than its length ({self.length:g} m), got {self.beam:g} m; "
-                "give the beam of one hull, not of the ship, in metres."
-            )
-
-
-def set_number(owner, field: str, name: str, unit: str = "", **limits) -> None:
-    """Replace a field of a frozen dataclass by its checked float."""
-    object.__setattr__(owner, field, checked_number(name, getattr(owner, field), unit, **limits))
+__all__ = [
+    "SHAPES",
+    "HeavyLiftBox",
+    "HullShape",
+    "Offsets",
+    "PanelMesh",
+    "RoundBilge",
+    "SemiSwath",
+    "SlenderRacing",
+    "Wigley",
+    "set_number",
+    "shape_from_dict",
+]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,111 +49,188 @@ class Wigley(HullShape):
         self._check_main_dimensions()
 
 
+class _FineShape(HullShape):
+    """What the fine transom-stern families have in common."""
+
+    block_coefficient: float
+    lcb: float
+    transom_ratio: float
+
+    def _check_form(self) -> None:
+        self._check_main_dimensions()
+        set_number(self, "block_coefficient", "block coefficient", at_least=0.2, at_most=0.9)
+        set_number(self, "lcb", "longitudinal centre of buoyancy", "lengths", at_least=-0.2, at_most=0.2)
+        set_number(self, "transom_ratio", "transom ratio", at_least=0.0, at_most=0.95)
+
+    @property
+    def form(self) -> FineForm:
+        """The ratios and angles that the surface is made of."""
+        raise NotImplementedError
+
+    def _form(self, **character: float) -> FineForm:
+        return FineForm(
+            block_coefficient=self.block_coefficient,
+            lcb=self.lcb,
+            transom_ratio=self.transom_ratio,
+            length_beam=self.length / self.beam,
+            beam_draught=self.beam / self.draught,
+            depth_draught=self.depth / self.draught,
+            **character,
+        )
+
+
 @dataclass(frozen=True, kw_only=True)
-class Offsets(HullShape):
-    """A hull from its table of offsets.
+class RoundBilge(_FineShape):
+    """A round-bilge demihull with a transom, of the kind of the NPL series.
 
     Parameters
     ----------
-    stations : tuple of (x, ((z, half_breadth), ...)): x from midships, forward; z above the keel
-        datum; half-breadths about the hull's own centre plane [m].
-    draught : height of the waterline above the keel datum [m].
-    length : length of the waterline (between perpendiculars) [m].
+    block_coefficient : volume / (length beam draught) [-].
+    lcb : longitudinal centre of buoyancy, lengths forward of midships [-].
+    transom_ratio : wetted transom area over the largest section area [-].
+    deadrise_angle : at the keel amidships [rad].
+    entrance_angle : half angle of the waterline at the bow [rad].
     """
 
-    kind: ClassVar[str] = "offsets"
-    stations: tuple
+    kind: ClassVar[str] = "round-bilge"
+    length: float
+    beam: float
     draught: float
-    length: float
+    depth: float
+    block_coefficient: float
+    lcb: float
+    transom_ratio: float
+    deadrise_angle: float
+    entrance_angle: float
 
     def __post_init__(self) -> None:
-        set_number(self, "length", "hull length", "m", at_least=LENGTH_RANGE[0], at_most=LENGTH_RANGE[1])
-        set_number(self, "draught", "hull draught", "m", at_least=DRAUGHT_RANGE[0], at_most=DRAUGHT_RANGE[1])
-        object.__setattr__(self, "stations", checked_stations(self.stations, self.draught, self.length))
+        self._check_form()
+        set_number(self, "deadrise_angle", "deadrise angle", "rad", at_least=0.0, at_most=math.radians(60.0))
+        set_number(self, "entrance_angle", "entrance angle", "rad", above=0.0, at_most=math.radians(45.0))
+        inner_numbers(self.form)
 
     @property
-    def beam(self) -> float:  # type: ignore[override]
-        """Largest breadth at or below the waterline [m]."""
-        widest = 0.0
-        for _, points in self.stations:
-            z, y = np.array(points).T
-            at_waterline = np.interp(self.draught, z, y) if z[0] <= self.draught else 0.0
-            widest = max(widest, at_waterline, *y[z <= self.draught], 0.0)
-        return 2.0 * float(widest)
-
-    @property
-    def depth(self) -> float:  # type: ignore[override]
-        """Height of the highest tabulated point above the keel datum [m]."""
-        return max(z for _, points in self.stations for z, _ in points)
-
-    def scaled(self, factor: float) -> "Offsets":
-        """Return the geometrically similar shape, `factor` times as long."""
-        factor = checked_number("scale factor", factor, above=0.0)
-        stations = tuple(
-            (x * factor, tuple((z * factor, y * factor) for z, y in points)) for x, points in self.stations
-        )
-        return Offsets(stations=stations, draught=self.draught * factor, length=self.length * factor)
+    def form(self) -> FineForm:
+        """The ratios and angles that the surface is made of."""
+        return self._form(deadrise=self.deadrise_angle, entrance=self.entrance_angle)
 
 
 @dataclass(frozen=True, kw_only=True)
-class PanelMesh(HullShape):
-    """A hull as a mesh of panels with normals into the water, the whole of one hull.
+class SemiSwath(_FineShape):
+    """A semi-SWATH demihull: a slender strut at the waterline forward, fuller below, U sections aft.
 
     Parameters
     ----------
-    vertices : tuple of (x, y, z) about the hull's own centre plane, z = 0 at its waterline [m].
-    faces : tuple of three or four vertex numbers from 0, counter-clockwise seen from the water.
-    length : of the waterline [m].
-    draught : design draught [m]; where not given, the depth of the lowest vertex.
-
-    Notes
-    -----
-    The mesh may be open at and above the waterline. Triangles are kept as four
-    numbers with the last repeated.
+    block_coefficient, lcb, transom_ratio : as for `RoundBilge`.
+    bulb_ratio : breadth added below the fore waterline over the beam [-].
     """
 
-    kind: ClassVar[str] = "mesh"
-    vertices: tuple
-    faces: tuple
+    kind: ClassVar[str] = "semi-swath"
     length: float
-    draught: float | None = None
+    beam: float
+    draught: float
+    depth: float
+    block_coefficient: float
+    lcb: float
+    transom_ratio: float
+    bulb_ratio: float = 0.25
 
     def __post_init__(self) -> None:
-        set_number(self, "length", "hull length", "m", at_least=LENGTH_RANGE[0], at_most=LENGTH_RANGE[1])
-        vertices, faces = checked_mesh(self.vertices, self.faces)
-        object.__setattr__(self, "vertices", vertices)
-        object.__setattr__(self, "faces", faces)
-        if self.draught is None:
-            object.__setattr__(self, "draught", -min(z for _, _, z in vertices))
-        set_number(self, "draught", "hull draught", "m", at_least=DRAUGHT_RANGE[0], at_most=DRAUGHT_RANGE[1])
-        extent = max(x for x, _, _ in vertices) - min(x for x, _, _ in vertices)
-        if not 0.8 * self.length <= extent <= 1.5 * self.length:
-            raise InputError(
-                f"panel mesh must be 0.8 to 1.5 times as long as the hull length ({self.length:g} m), "
-                f"got {extent:g} m; check the unit of the mesh and the length."
-            )
+        self._check_form()
+        set_number(self, "bulb_ratio", "bulb ratio", at_least=0.0, at_most=0.4)
+        inner_numbers(self.form)
 
     @property
-    def beam(self) -> float:  # type: ignore[override]
-        """Largest breadth at or below the waterline [m]."""
-        wet = {index for face in self.faces for index in face if min(self.vertices[k][2] for k in face) < 0.0}
-        return 2.0 * max(abs(self.vertices[k][1]) for k in wet)
-
-    @property
-    def depth(self) -> float:  # type: ignore[override]
-        """Height of the highest vertex above the keel [m]."""
-        return max(z for _, _, z in self.vertices) + self.draught
-
-    def scaled(self, factor: float) -> "PanelMesh":
-        """Return the geometrically similar shape, `factor` times as long."""
-        factor = checked_number("scale factor", factor, above=0.0)
-        vertices = tuple((x * factor, y * factor, z * factor) for x, y, z in self.vertices)
-        return PanelMesh(
-            vertices=vertices, faces=self.faces, length=self.length * factor, draught=self.draught * factor
+    def form(self) -> FineForm:
+        """The ratios and angles that the surface is made of."""
+        return self._form(
+            deadrise=math.radians(15.0),
+            entrance=math.atan(0.6 * self.beam / self.length),
+            bulb=self.bulb_ratio,
+            forefoot=0.035,
+            overhang=0.02,
         )
 
 
-SHAPES: dict[str, type[HullShape]] = {shape.kind: shape for shape in (Wigley, Offsets, PanelMesh)}
+@dataclass(frozen=True, kw_only=True)
+class SlenderRacing(_FineShape):
+    """The slender hull of a racing catamaran: round sections, rocker, fine entrance, upright stem.
+
+    Parameters
+    ----------
+    block_coefficient, lcb, transom_ratio : as for `RoundBilge`.
+    """
+
+    kind: ClassVar[str] = "slender-racing"
+    length: float
+    beam: float
+    draught: float
+    depth: float
+    block_coefficient: float
+    lcb: float
+    transom_ratio: float
+
+    def __post_init__(self) -> None:
+        self._check_form()
+        inner_numbers(self.form)
+
+    @property
+    def form(self) -> FineForm:
+        """The ratios and angles that the surface is made of."""
+        return self._form(
+            deadrise=math.radians(8.0),
+            entrance=math.atan(1.05 * self.beam / self.length),
+            forefoot=0.12,
+            overhang=0.01,
+            keel_rise=2.0,
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeavyLiftBox(HullShape):
+    """A wall-sided box with round bilges, a ship-shaped bow and a rising stern.
+
+    Parameters
+    ----------
+    bilge_radius : [m].
+    bow_length, stern_length : over which the bow narrows and the keel rises aft [m].
+    """
+
+    kind: ClassVar[str] = "heavy-lift-box"
+    length: float
+    beam: float
+    draught: float
+    depth: float
+    bilge_radius: float = 0.0
+    bow_length: float = 0.0
+    stern_length: float = 0.0
+    LENGTHS: ClassVar[tuple[str, ...]] = (
+        *HullShape.LENGTHS,
+        "bilge_radius",
+        "bow_length",
+        "stern_length",
+    )
+
+    def __post_init__(self) -> None:
+        self._check_main_dimensions()
+        most = min(self.draught, self.beam / 2)
+        set_number(
+            self,
+            "bilge_radius",
+            "bilge radius",
+            "m",
+            at_least=0.0,
+            at_most=most,
+            cure="the bilge lies within half the beam and the draught",
+        )
+        for end in ("bow", "stern"):
+            set_number(self, f"{end}_length", f"{end} length", "m", at_least=0.0, at_most=0.45 * self.length)
+
+
+SHAPES: dict[str, type[HullShape]] = {
+    shape.kind: shape
+    for shape in (Wigley, RoundBilge, SemiSwath, SlenderRacing, HeavyLiftBox, Offsets, PanelMesh)
+}
 """Every shape by the word that names it in a design file."""
 
 

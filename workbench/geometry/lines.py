@@ -9,10 +9,12 @@ from scipy.optimize import brentq
 
 from workbench.design import Hull
 from workbench.errors import InputError
+from workbench.hulls.families.fine_form import fine_form_lines
+from workbench.hulls.families.heavy_lift_box import heavy_lift_box_lines
 from workbench.hulls.families.offsets import offsets_lines
 from workbench.hulls.families.wigley import wigley_lines
 from workbench.hulls.lines import Lines, evenly_spaced, wetted_part
-from workbench.shapes import HullShape, Offsets, Wigley
+from workbench.shapes import HeavyLiftBox, HullShape, Offsets, RoundBilge, SemiSwath, SlenderRacing, Wigley
 
 PORT, STARBOARD, CENTRE = 0, 1, 2
 """Number of each hull in `hull_positions`; a single hull is number 0."""
@@ -34,6 +36,26 @@ def _lines(shape: HullShape) -> Lines:
 @_lines.register
 def _(shape: Wigley) -> Lines:
     return wigley_lines(shape.length, shape.beam, shape.draught, shape.depth)
+
+
+@_lines.register(RoundBilge)
+@_lines.register(SemiSwath)
+@_lines.register(SlenderRacing)
+def _(shape) -> Lines:
+    return fine_form_lines(shape.form, shape.length, shape.beam, shape.draught)
+
+
+@_lines.register
+def _(shape: HeavyLiftBox) -> Lines:
+    return heavy_lift_box_lines(
+        shape.length,
+        shape.beam,
+        shape.draught,
+        shape.depth,
+        shape.bilge_radius,
+        shape.bow_length,
+        shape.stern_length,
+    )
 
 
 @_lines.register
