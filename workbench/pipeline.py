@@ -18,7 +18,7 @@ from workbench import quantities
 from workbench.conventions import froude_number
 from workbench.design import Design, WetDeck
 from workbench.errors import InputError, checked_number
-from workbench.geometry.hydrostatics import equilibrium, hydrostatic_stiffness, hydrostatics
+from workbench.geometry.hydrostatics import equilibrium, hydrostatics, stiffness_matrix
 from workbench.geometry.wet_deck import wet_deck_grid
 from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.impact.pressure import PressureLaw
@@ -91,7 +91,7 @@ def response(
     ----------
     design : hull and masses are used, and the density of its water.
     speed : [m/s].
-    wave_directions : [rad]; None takes 0 to 180 degrees by 15, less those in which the ship overtakes waves.
+    wave_directions : [rad]; None takes 0 to 345 degrees by 15, less those in which the ship overtakes waves.
     omega : wave frequencies [rad/s]; None takes `potential_flow_stage.wave_frequencies`.
     settings : of the potential-flow method.
     workers : processes for a new hull; progress : called with fraction and sentence, may raise to cancel.
@@ -103,7 +103,7 @@ def response(
     """
     checked_number("speed", speed, "m/s", at_least=0, at_most=60)
     settings = settings or PotentialFlowSettings()
-    afloat = hydrostatics(design.hull, design.density)
+    afloat = hydrostatics(design.hull, design.density, design.masses.centre_of_gravity[2])
     notes = equilibrium(design.hull, design.masses, design.density)
     if wave_directions is None:
         wave_directions = stage.usual_directions(design.hull.length, speed)
@@ -117,7 +117,7 @@ def response(
         workers=workers,
         progress=progress,
     )
-    stiffness = hydrostatic_stiffness(design.hull, design.masses, design.density)
+    stiffness = stiffness_matrix(design.hull, design.masses, design.density)
     hydrodynamics.attrs["warnings"] = "\n".join(
         dict.fromkeys([*notes, *quantities.warnings_of(hydrodynamics)])
     )
@@ -166,6 +166,14 @@ def wave_energy(condition: Condition, omega: xr.DataArray, wave_directions: xr.D
     return xr.DataArray(
         spectrum[:, None] * shares, coords={"omega": omega, "wave_direction": wave_directions}
     )
+
+
+def directions_for(condition: Condition) -> np.ndarray:
+    """Directions that a condition needs: its own, or in short-crested seas 13 over +-90 degrees about it [rad]."""
+    if condition.sea_state.spreading_exponent is None:
+        return np.array([condition.wave_direction])
+    around = condition.wave_direction + np.radians(np.arange(-90, 91, 15))
+    return np.unique(np.round(np.mod(around, 2 * np.pi), 12))
 
 
 def threshold_of(choice: str | float, design: Design) -> float:

@@ -29,8 +29,8 @@ _MEMO_SIZE = 12
 
 
 def usual_directions(length: float, speed: float) -> np.ndarray:
-    """Wave directions 0 to 180 degrees by 15 [rad], less those in which the ship overtakes some of the waves."""
-    directions = np.radians(np.arange(0, 181, 15))
+    """Wave directions 0 to 345 degrees by 15 [rad], less those in which the ship overtakes some of the waves."""
+    directions = np.radians(np.arange(0, 360, 15))
     highest = np.sqrt(2 * np.pi * GRAVITY / (SHORTEST_WAVE * length))
     allowed = encounter_frequency(highest, speed, directions) > 0.02 * highest
     return directions[allowed]
@@ -95,11 +95,13 @@ def hydrodynamics(
     )
     at_rest = speed == 0
     with_field = at_rest and together and hull.count > 1 and settings.wave_field != "incident"
+    folded = _folded(directions) if wetted.mirrored else directions
     field_directions: Sequence[float] = ()
     if with_field:
         usual_ones = usual_directions(hull.length, 0.0)
-        covered = np.all(np.abs(directions[:, None] - usual_ones).min(axis=1) < 1e-6)
-        field_directions = usual_ones if usual and covered else directions
+        usual_ones = np.unique(_folded(usual_ones)) if wetted.mirrored else usual_ones
+        covered = np.all(np.abs(folded[:, None] - usual_ones).min(axis=1) < 1e-6)
+        field_directions = usual_ones if usual and covered else np.unique(folded)
     bodies = _bodies(hull, settings, together, wetted, nodes, field_directions, workers, progress)
     found = forward_speed.hydrodynamics(bodies, omega, directions, speed, density, warnings=notes)
     if not with_field:
@@ -109,11 +111,29 @@ def hydrodynamics(
                 "waves under the deck are computed for the ship at rest with hull interaction."
             )
         return found, None
-    kept = bodies[0].radiation.isel(encounter_omega=slice(0, -1))
-    rows = [int(np.argmin(np.abs(kept.encounter_omega.values - value))) for value in omega]
-    columns = [int(np.argmin(np.abs(kept.wave_direction.values - value))) for value in directions]
-    field = kept[["radiated_elevation", "diffracted_elevation"]].isel(encounter_omega=rows, wave_direction=columns)
-    return found, field
+    return found, _field_at(bodies[0].radiation, omega, directions, folded)
+
+
+def _folded(directions: np.ndarray) -> np.ndarray:
+    """Directions of a ship that is alike on both sides, mirrored into 0 to pi [rad]."""
+    return np.round(np.abs(np.angle(np.exp(1j * directions))), 12)
+
+
+def _field_at(
+    solved: xr.Dataset, omega: np.ndarray, directions: np.ndarray, folded: np.ndarray
+) -> xr.Dataset:
+    """Return the scattered waves at the wanted frequencies and directions, mirrored where the direction was."""
+    rows = [int(np.argmin(np.abs(solved.encounter_omega.values[:-1] - value))) for value in omega]
+    columns = [int(np.argmin(np.abs(solved.wave_direction.values - value))) for value in folded]
+    field = solved[["radiated_elevation", "diffracted_elevation"]].isel(
+        encounter_omega=rows, wave_direction=columns
+    )
+    turned = np.sin(directions) < -1e-9
+    mirrored = bool(solved.attrs["mirrored"]) & turned
+    diffracted = field.diffracted_elevation.values.copy()
+    diffracted[:, mirrored] = diffracted[:, mirrored][..., ::-1]
+    field["diffracted_elevation"] = (field.diffracted_elevation.dims, diffracted)
+    return field.assign_coords(wave_direction=directions)
 
 
 def _check_frequencies(omega: np.ndarray, highest: float, count: int) -> None:

@@ -127,31 +127,37 @@ def body_coefficients(
     ratio = speed / (1j * distinct)
     force = _with_speed(scale * at_rest, scale * line, ratio)[back].reshape(*shape, 6, 6)
 
+    back = back.reshape(shape)
     froude_krylov = np.zeros((*shape, 6), complex)
     diffraction = np.zeros((*shape, 6), complex)
-    mirror = np.array([1.0, -1.0, 1.0])
-    parity = np.where(np.isin(range(6), SYMMETRIC_MODES), 1.0, -1.0)[:, None]
-    back = back.reshape(shape)
+    weighted_modes = modes * weights
     for i, frequency in enumerate(omega):
-        for j, direction in enumerate(wave_directions):
-            wave = incident_potential(centres, frequency, direction)
-            velocity = incident_normal_velocity(centres, normals, frequency, direction)
-            if mirrored:
-                other_wave = incident_potential(centres * mirror, frequency, direction)
-                other = incident_normal_velocity(centres * mirror, normals * mirror, frequency, direction)
-                wave = (wave + parity * other_wave) / 2
-                velocity = (velocity + parity * other) / 2
-            own = potential[back[i, j]]
-            froude_krylov[i, j] = -1j * density * frequency * np.sum(modes * wave * weights, axis=1)
-            met = encounter[i, j]
-            diffracted = 1j * density * met * np.sum(own * velocity * weights, axis=1)
-            diffraction[i, j] = _force_with_speed(diffracted, speed / (1j * met))
+        wave, velocity = _waves_by_parity(centres, normals, frequency, wave_directions, mirrored)
+        froude_krylov[i] = -1j * density * frequency * np.einsum("jp,jbp->bj", weighted_modes, wave)
+        own = potential[back[i]] * weights
+        diffracted = 1j * density * encounter[i, :, None] * np.einsum("bjp,jbp->bj", own, velocity)
+        diffraction[i] = _force_with_speed(diffracted, speed / (1j * encounter[i]))
     return {
         "encounter": encounter,
         "radiation": force,
         "froude_krylov": froude_krylov,
         "diffraction": diffraction,
     }
+
+
+def _waves_by_parity(
+    centres: np.ndarray, normals: np.ndarray, omega: float, wave_directions: np.ndarray, mirrored: bool
+) -> tuple[np.ndarray, np.ndarray]:
+    """Incident potential and normal velocity (6, wave_direction, panel): the part that each mode feels."""
+    wave = incident_potential(centres, omega, wave_directions)
+    velocity = incident_normal_velocity(centres, normals, omega, wave_directions)
+    if not mirrored:
+        return np.broadcast_to(wave, (6, *wave.shape)), np.broadcast_to(velocity, (6, *wave.shape))
+    mirror = np.array([1.0, -1.0, 1.0])
+    parity = np.where(np.isin(range(6), SYMMETRIC_MODES), 1.0, -1.0)[:, None, None]
+    other_wave = incident_potential(centres * mirror, omega, wave_directions)
+    other = incident_normal_velocity(centres * mirror, normals * mirror, omega, wave_directions)
+    return (wave + parity * other_wave) / 2, (velocity + parity * other) / 2
 
 
 def _with_speed(at_rest: np.ndarray, line: np.ndarray, ratio: np.ndarray) -> np.ndarray:
@@ -171,11 +177,11 @@ def _with_speed(at_rest: np.ndarray, line: np.ndarray, ratio: np.ndarray) -> np.
     return full - ratio[:, :, None] * end
 
 
-def _force_with_speed(at_rest: np.ndarray, ratio: complex) -> np.ndarray:
-    """Add the speed terms to a diffraction force (6)."""
+def _force_with_speed(at_rest: np.ndarray, ratio: np.ndarray) -> np.ndarray:
+    """Add the speed terms to diffraction forces (wave_direction, 6)."""
     force = at_rest.copy()
-    force[4] += ratio * at_rest[2]
-    force[5] -= ratio * at_rest[1]
+    force[:, 4] += ratio * at_rest[:, 2]
+    force[:, 5] -= ratio * at_rest[:, 1]
     return force
 
 

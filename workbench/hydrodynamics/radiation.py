@@ -72,20 +72,29 @@ def mode_normals(centres: np.ndarray, normals: np.ndarray) -> np.ndarray:
     return np.concatenate([normals, np.cross(centres, normals)], axis=1).T
 
 
-def incident_potential(points: np.ndarray, omega: float, wave_direction: float) -> np.ndarray:
-    """Potential of a deep-water wave of unit amplitude with its crest at the origin at t = 0 [m2/s]."""
+def incident_potential(points: np.ndarray, omega: float, wave_direction) -> np.ndarray:
+    """Potential of a deep-water wave of unit amplitude with its crest at the origin at t = 0 [m2/s].
+
+    Parameters
+    ----------
+    points : (n, 3) [m]; omega : [rad/s]; wave_direction : one or several [rad].
+
+    Returns
+    -------
+    (n,) or (wave_direction, n).
+    """
     k = wavenumber(omega)
-    along = points[..., 0] * np.cos(wave_direction) + points[..., 1] * np.sin(wave_direction)
-    return -1j * GRAVITY / omega * np.exp(k * points[..., 2] + 1j * k * along)
+    beta = np.asarray(wave_direction)[..., None]
+    along = points[:, 0] * np.cos(beta) + points[:, 1] * np.sin(beta)
+    return -1j * GRAVITY / omega * np.exp(k * points[:, 2] + 1j * k * along)
 
 
-def incident_normal_velocity(
-    centres: np.ndarray, normals: np.ndarray, omega: float, wave_direction: float
-) -> np.ndarray:
-    """Normal velocity of the same wave at panel centres [m/s]."""
+def incident_normal_velocity(centres: np.ndarray, normals: np.ndarray, omega: float, wave_direction) -> np.ndarray:
+    """Normal velocity of the same wave at panel centres [m/s], shaped as `incident_potential`."""
     k = wavenumber(omega)
-    direction = np.array([1j * np.cos(wave_direction), 1j * np.sin(wave_direction), 1.0])
-    return k * incident_potential(centres, omega, wave_direction) * (normals @ direction)
+    beta = np.asarray(wave_direction)[..., None]
+    across = 1j * (normals[:, 0] * np.cos(beta) + normals[:, 1] * np.sin(beta)) + normals[:, 2]
+    return k * incident_potential(centres, omega, wave_direction) * across
 
 
 def frequency_solution(
@@ -265,9 +274,10 @@ def radiation(
     with solution_stream(problem, frequencies, waves, workers) as solutions:
         for i, (frequency, solution) in enumerate(zip(frequencies, solutions, strict=True)):
             potentials.append(solution["potential"])
-            signs = np.where(np.isin(range(6), SYMMETRIC_MODES), 1.0, -1.0)[:, None]
-            per_motion = 0.0 if np.isinf(frequency) else frequency**2 / GRAVITY
-            fields.append(per_motion * on_field_grid(problem, solution["field"], signs * solution["field"]))
+            if problem.field_x:
+                signs = np.where(np.isin(range(6), SYMMETRIC_MODES), 1.0, -1.0)[:, None]
+                per_motion = 0.0 if np.isinf(frequency) else frequency**2 / GRAVITY
+                fields.append(per_motion * on_field_grid(problem, solution["field"], signs * solution["field"]))
             if waves[i] and problem.field_x:
                 half, other = _halves(problem, solution["diffraction_field"])
                 diffracted.append(1j * frequency / GRAVITY * on_field_grid(problem, half, other))

@@ -1,0 +1,367 @@
+"""Command line: the same numbers as the app and the notebooks, for scripts and checks.
+
+Every command that prints numbers takes ``--json`` and then prints one JSON
+object and nothing else on standard output. A refused input is one sentence on
+standard error and exit code 2.
+"""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+
+from workbench import __version__, designs, tables
+from workbench.conventions import GRAVITY, KNOT
+from workbench.design import Design
+from workbench.errors import InputError, checked_number
+
+application = typer.Typer(
+    help="Motions and wet-deck slamming of catamarans: from hull and sea to slams, pressure and clearance.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+DesignArgument = Annotated[str, typer.Argument(metavar="DESIGN", help="A library name or a TOML file.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+SpeedOption = Annotated[float | None, typer.Option("--speed-knots", help="Speed [kn].")]
+FroudeOption = Annotated[float | None, typer.Option("--froude", help="Froude number on the length, instead of knots.")]
+HeadingOption = Annotated[float, typer.Option("--heading-degrees", help="180 is head seas, 0 following.")]
+PanelsOption = Annotated[int, typer.Option("--panels", help="Panels of the whole ship.")]
+InteractionOption = Annotated[str, typer.Option("--interaction", help="Between the hulls: auto, on or off.")]
+TreatmentOption = Annotated[
+    str, typer.Option("--speed-treatment", help="encounter-frequency or forward-speed (Capytaine's own option).")
+]
+TunnelOption = Annotated[
+    float, typer.Option("--tunnel-damping", help="Damping of the water between the hulls, 0 to 0.2.")
+]
+
+
+def main() -> None:
+    """Run the command line; a refused input is one sentence and exit code 2."""
+    try:
+        application()
+    except InputError as error:
+        print(f"workbench: {error}", file=sys.stderr)  # noqa: T201
+        raise SystemExit(2) from None
+
+
+def _print_json(values: dict[str, Any]) -> None:
+    print(json.dumps(values, allow_nan=False))  # noqa: T201
+
+
+def _print_warnings(sentences: list[str]) -> None:
+    for sentence in sentences:
+        print(f"warning: {sentence}", file=sys.stderr)  # noqa: T201
+
+
+def _speed(design: Design, speed_knots: float | None, froude: float | None) -> float:
+    """Speed [m/s] from knots or a Froude number, exactly one of which is given."""
+    if (speed_knots is None) == (froude is None):
+        raise InputError("speed must be given once: either --speed-knots or --froude.")
+    if froude is not None:
+        checked_number("froude", froude, at_least=0, at_most=3)
+        return froude * float(np.sqrt(GRAVITY * design.hull.length))
+    return checked_number("speed-knots", speed_knots, "kn", at_least=0, at_most=100) * KNOT
+
+
+def _wave_direction(heading_degrees: float) -> float:
+    return float(
+        np.radians(
+            checked_number(
+                "heading-degrees", heading_degrees, "degrees", at_least=0, at_most=360, cure="180 is head seas"
+            )
+        )
+    )
+
+
+def _settings(panels: int, interaction: str, speed_treatment: str, tunnel_damping: float):
+    from workbench.hydrodynamics.settings import PotentialFlowSettings
+
+    return PotentialFlowSettings(
+        panels=panels,
+        interaction=interaction,
+        speed_treatment=speed_treatment,
+        tunnel_damping=tunnel_damping,
+    )
+
+
+def _check_method(method: str) -> None:
+    if method != "potential-flow":
+        raise InputError(f"method must be potential-flow, got {method!r}; other theories are not in this version.")
+
+
+@application.callback(invoke_without_command=True)
+def version_option(version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False) -> None:
+    """Print the version if asked to."""
+    if version:
+        print(__version__)  # noqa: T201
+        raise typer.Exit
+
+
+@application.command("designs")
+def list_designs(as_json: JsonOption = False) -> None:
+    """List the designs of the library."""
+    listed = [{"name": name, "title": designs.named_design(name).title} for name in designs.names()]
+    if as_json:
+        _print_json({"designs": listed})
+    else:
+        width = max(len(entry["name"]) for entry in listed)
+        for entry in listed:
+            print(f"{entry['name']:<{width}}  {entry['title']}")  # noqa: T201
+
+
+@application.command()
+def show(design: DesignArgument, as_json: JsonOption = False) -> None:
+    """Print particulars, hydrostatics and provenance of a design."""
+    values = tables.particulars(designs.design(design))
+    if as_json:
+        _print_json(values)
+    else:
+        print(tables.particulars_text(values))  # noqa: T201
+        _print_warnings(values["warnings"])
+
+
+@application.command()
+def rao(
+    design: DesignArgument,
+    method: Annotated[str, typer.Option(help="potential-flow.")] = "potential-flow",
+    speed_knots: SpeedOption = None,
+    froude: FroudeOption = None,
+    heading_degrees: HeadingOption = 180.0,
+    omega: Annotated[str | None, typer.Option(help="Wave frequencies LO:HI:N [rad/s].")] = None,
+    wavelength_ratio: Annotated[str | None, typer.Option(help="Wavelengths over length LO:HI:N.")] = None,
+    panels: PanelsOption = 1000,
+    interaction: InteractionOption = "auto",
+    speed_treatment: TreatmentOption = "encounter-frequency",
+    tunnel_damping: TunnelOption = 0.0,
+    as_json: JsonOption = False,
+) -> None:
+    """Motions per wave amplitude in regular waves."""
+    from workbench import pipeline
+
+    _check_method(method)
+    chosen = designs.design(design)
+    speed = _speed(chosen, speed_knots, froude)
+    direction = _wave_direction(heading_degrees)
+    frequencies, ratios_rise = _frequencies(chosen, omega, wavelength_ratio)
+    settings = _settings(panels, interaction, speed_treatment, tunnel_damping)
+    ship = pipeline.response(chosen, speed, [direction], np.sort(frequencies), settings)
+    values = tables.motion_table(ship, descending=ratios_rise)
+    if as_json:
+        _print_json(values)
+    else:
+        print(tables.motion_text(values))  # noqa: T201
+        _print_warnings(values["warnings"])
+
+
+def _frequencies(design: Design, omega: str | None, wavelength_ratio: str | None) -> tuple[np.ndarray, bool]:
+    """Wave frequencies [rad/s] and whether the wavelengths were asked for (so that they shall rise)."""
+    if (omega is None) == (wavelength_ratio is None):
+        raise InputError("frequencies must be given once: either --omega LO:HI:N or --wavelength-ratio LO:HI:N.")
+    if omega is not None:
+        return _range("omega", omega, "rad/s"), False
+    ratios = _range("wavelength-ratio", wavelength_ratio, "")
+    return np.sqrt(2 * np.pi * GRAVITY / (ratios * design.hull.length)), True
+
+
+def _range(name: str, text: str, unit: str) -> np.ndarray:
+    """Read LO:HI:N."""
+    parts = text.split(":")
+    if len(parts) != 3:
+        raise InputError(f"{name} must be LO:HI:N, for instance 0.5:2:16, got {text!r}.")
+    try:
+        low, high, count = float(parts[0]), float(parts[1]), int(parts[2])
+    except ValueError:
+        raise InputError(f"{name} must be two numbers and a whole number LO:HI:N, got {text!r}.") from None
+    checked_number(f"lowest {name}", low, unit, above=0)
+    checked_number(f"highest {name}", high, unit, at_least=low)
+    checked_number(f"number of {name} values", count, at_least=1, at_most=500)
+    if (count > 1) == (high == low):
+        raise InputError(f"{name} must have a highest value above its lowest and N > 1, or both equal and N = 1.")
+    return np.linspace(low, high, count)
+
+
+@application.command()
+def slam(
+    design: DesignArgument,
+    clearance: Annotated[float | None, typer.Option(help="Wet-deck clearance [m]; that of the design if left out.")] = None,
+    hs: Annotated[float, typer.Option("--hs", help="Significant wave height [m].")] = 2.0,
+    tp: Annotated[float | None, typer.Option("--tp", help="Peak period [s].")] = None,
+    spectrum: Annotated[str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")] = "bretschneider",
+    peak_enhancement: Annotated[float, typer.Option(help="gamma of jonswap.")] = 3.3,
+    spreading: Annotated[float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")] = None,
+    speed_knots: SpeedOption = None,
+    froude: FroudeOption = None,
+    heading_degrees: HeadingOption = 180.0,
+    threshold: Annotated[str, typer.Option(help="Least entry velocity: 0, ochi, or a number [m/s].")] = "0",
+    seed: Annotated[int, typer.Option(help="Seed of the realisation that is counted.")] = 1,
+    hours: Annotated[float, typer.Option(help="Hours counted, and of the largest pressure.")] = 1.0,
+    criterion_per_hour: Annotated[float, typer.Option(help="Slams per hour that are allowed.")] = 20.0,
+    pressure_law: Annotated[str, typer.Option(help="chuang, chuang-text or wagner.")] = "chuang",
+    deck_points: Annotated[str, typer.Option(help="Points of the deck, lengthwise x across.")] = "40x10",
+    panels: PanelsOption = 1000,
+    interaction: InteractionOption = "auto",
+    speed_treatment: TreatmentOption = "encounter-frequency",
+    tunnel_damping: TunnelOption = 0.0,
+    as_json: JsonOption = False,
+) -> None:
+    """Wet-deck slamming in an irregular sea: closed form over the deck, and counted."""
+    from workbench import pipeline
+    from workbench.impact.pressure import PressureLaw
+    from workbench.seas import Condition, SeaState
+    from workbench.time_domain import Realisation
+
+    chosen = designs.with_clearance(designs.design(design), clearance)
+    condition = Condition(
+        speed=_speed(chosen, speed_knots, froude),
+        wave_direction=_wave_direction(heading_degrees),
+        sea_state=SeaState(
+            significant_wave_height=hs,
+            peak_period=tp,
+            spectrum=spectrum,
+            peak_enhancement=peak_enhancement,
+            spreading_exponent=spreading,
+        ),
+    )
+    realisation = Realisation(seed=seed, hours=hours)
+    settings = _settings(panels, interaction, speed_treatment, tunnel_damping)
+    law = PressureLaw(name=pressure_law)
+    points = _deck_points(deck_points)
+    least_velocity = pipeline.threshold_of(_number_or_word(threshold), chosen)
+    directions = pipeline.directions_for(condition)
+    ship = pipeline.response(chosen, condition.speed, directions, None, settings)
+    relative = pipeline.deck_response(ship, chosen.wet_deck, points)
+    found = pipeline.slamming(
+        ship,
+        relative,
+        chosen.wet_deck,
+        condition,
+        threshold=least_velocity,
+        law=law,
+        hours=hours,
+        criterion_per_hour=criterion_per_hour,
+    )
+    _, counts = pipeline.counted_slams(ship, relative, found, realisation)
+    values = tables.slamming_table(ship, found, counts, realisation)
+    if as_json:
+        _print_json(values)
+    else:
+        print(tables.slamming_text(values))  # noqa: T201
+        _print_warnings(values["warnings"])
+
+
+def _number_or_word(text: str) -> str | float:
+    """Return "ochi", or a number."""
+    if text == "ochi":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(f"threshold must be 0, ochi or a velocity in m/s, got {text!r}.") from None
+
+
+def _deck_points(text: str) -> tuple[int, int]:
+    """Read NXxNY."""
+    parts = text.lower().split("x")
+    if len(parts) != 2 or not all(part.isdigit() and 1 <= int(part) <= 400 for part in parts):
+        raise InputError(f"deck-points must be two whole numbers from 1 to 400 such as 40x10, got {text!r}.")
+    return int(parts[0]), int(parts[1])
+
+
+@application.command()
+def run(
+    design: DesignArgument,
+    out: Annotated[Path, typer.Option("--out", help="Folder for the results; made if it is missing.")],
+    speed_knots: SpeedOption = None,
+    froude: FroudeOption = None,
+    heading_degrees: HeadingOption = 180.0,
+    hs: Annotated[float | None, typer.Option("--hs", help="Significant wave height [m]; L/25 if left out.")] = None,
+    tp: Annotated[
+        float | None, typer.Option("--tp", help="Peak period [s]; waves of 1.5 L if left out.")
+    ] = None,
+    clearance: Annotated[float | None, typer.Option(help="Wet-deck clearance [m].")] = None,
+    seed: Annotated[int, typer.Option(help="Seed of the realisation.")] = 1,
+    hours: Annotated[float, typer.Option(help="Hours counted.")] = 1.0,
+    film: Annotated[bool, typer.Option("--film/--no-film", help="Also render an MP4.")] = False,
+    panels: PanelsOption = 1000,
+) -> None:
+    """Do everything for a design and write results, tables, figures, animation and an index page."""
+    from workbench import study
+
+    chosen = designs.with_clearance(designs.design(design), clearance)
+    if speed_knots is None and froude is None:
+        froude = 0.3
+    speed = _speed(chosen, speed_knots, froude)
+    index = study.written_study(
+        chosen,
+        out,
+        speed=speed,
+        wave_direction=_wave_direction(heading_degrees),
+        significant_wave_height=hs,
+        peak_period=tp,
+        seed=seed,
+        hours=hours,
+        film=film,
+        panels=panels,
+    )
+    print(index)  # noqa: T201
+
+
+@application.command()
+def verify(
+    features: Annotated[bool, typer.Option("--features", help="The table of features and its evidence.")] = False,
+    as_json: JsonOption = False,
+) -> None:
+    """Print the verification cases: published value, computed value, difference, tolerance."""
+    from workbench.verification import report
+
+    passed, values = report.features() if features else report.cases()
+    if as_json:
+        _print_json(values)
+    else:
+        print(report.text(values))  # noqa: T201
+    if not passed:
+        raise SystemExit(1)
+
+
+@application.command("app")
+def open_app(
+    port: Annotated[int, typer.Option(help="Port; 0 takes a free one.")] = 8866,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser.")] = True,
+) -> None:
+    """Open the app in a browser."""
+    from workbench.app import server
+
+    server.run_app(port=port, open_browser=browser)
+
+
+@application.command("lab")
+def open_lab(
+    port: Annotated[int, typer.Option(help="Port; 0 takes a free one.")] = 8888,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser.")] = True,
+) -> None:
+    """Open the notebooks in JupyterLab."""
+    from workbench.app import server
+
+    server.run_lab(port=port, open_browser=browser)
+
+
+@application.command()
+def precompute(
+    names: Annotated[list[str], typer.Argument(help="Library designs.")],
+    out: Annotated[Path | None, typer.Option("--out", help="Folder; the one shipped with the package if left out.")] = None,
+) -> None:
+    """Compute the hydrodynamics of library designs, as shipped with the package."""
+    from workbench import shipped
+
+    for path in shipped.written_hydrodynamics(names, out):
+        print(path)  # noqa: T201
+
+
+if __name__ == "__main__":
+    main()
