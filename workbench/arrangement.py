@@ -77,8 +77,8 @@ class Hull:
 
     @property
     def length(self) -> float:
-        """Waterline length of the (outer) hull [m]."""
-        return self.shape.length
+        """Waterline length of the longest hull [m]."""
+        return max(self.shape.length, (self.centre_shape or self.shape).length)
 
     @property
     def beam(self) -> float:

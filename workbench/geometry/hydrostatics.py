@@ -110,15 +110,17 @@ def equilibrium(hull: Hull, masses: MassProperties, density: float = SEAWATER_DE
                 f"still water, got {masses.centre_of_gravity[2]:.4g} m; lower it or widen the ship."
             )
     warnings = []
+    side = "above" if excess > 0.0 else "below"
     if abs(excess) > WARNED_MASS_MISMATCH:
         warnings.append(
-            f"mass {masses.mass:.4g} kg is {100 * abs(excess):.1f} % {'more' if excess > 0 else 'less'} than "
+            f"mass {masses.mass:.4g} kg is {100 * abs(excess):.1f} % {side} "
             f"the displacement {displacement:.4g} kg of the hulls; the ship would float at another draught."
         )
     x_g, x_b = masses.centre_of_gravity[0], float(floating.centre_of_buoyancy[0])
+    side = "forward" if x_g > x_b else "aft"
     if abs(x_g - x_b) > WARNED_CENTRE_MISMATCH * hull.length:
         warnings.append(
-            f"centre of gravity x = {x_g:.4g} m is {abs(x_g - x_b):.3g} m {'forward' if x_g > x_b else 'aft'} "
+            f"centre of gravity x = {x_g:.4g} m is {abs(x_g - x_b):.3g} m {side} "
             f"of the centre of buoyancy x = {x_b:.4g} m; the ship would float at another trim."
         )
     return tuple(warnings)

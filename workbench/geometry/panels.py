@@ -22,7 +22,7 @@ from workbench.shapes import PanelMesh
 PANEL_ASPECT = 3.0
 """Length over height of a typical panel."""
 
-LEAST_STRIPS, LEAST_COLUMNS = 4, 8
+LEAST_STRIPS, LEAST_COLUMNS = 5, 8
 
 __all__ = ["Panels", "hull_panels", "hull_positions", "lid_panels", "panels", "tunnel_lid"]
 
@@ -40,7 +40,11 @@ def panels(hull: Hull, target_count: int = 1000, *, panel_size: float | None = N
     An upright ship comes as its half y > 0 with ``mirrored`` true: the whole
     port hull of a twin, half of a single hull, both of these for three hulls.
     """
-    size = _panel_size(hull, target_count, panel_size)
+    return _counted(lambda size: _whole_ship(hull, size), hull, target_count, panel_size)
+
+
+def _whole_ship(hull: Hull, size: float) -> Panels:
+    """Return the panels of the whole ship for one size of panel."""
     if not is_symmetric(hull):
         parts = [_one_hull(hull, k, size, half=False) for k in range(hull.count)]
         return joined(parts, mirrored=False)
@@ -61,12 +65,27 @@ def hull_panels(
     this one hull. Its place in the ship is ``hull_positions(hull)[index]``.
     """
     shape = hull_shape(hull, index)
-    size = _panel_size(Hull(shape=shape, sinkage=hull.sinkage), target_count, panel_size)
     half = is_symmetric(hull) and not isinstance(shape, PanelMesh)
-    if half:
-        return _one_hull(hull, index, size, half=True, own_axes=True)
     x, y = hull_positions(hull)[index]
-    return _one_hull(hull, index, size, half=False).translated(-x, -y)
+
+    def make(size: float) -> Panels:
+        made = _one_hull(hull, index, size, half)
+        return made.translated(-x) if half else made.translated(-x, -y)
+
+    return _counted(make, Hull(shape=shape, sinkage=hull.sinkage), target_count, panel_size)
+
+
+def _counted(make, hull: Hull, target_count: int, panel_size: float | None) -> Panels:
+    """Return make(size), with the size corrected once or twice to meet the wished number of panels."""
+    size = _panel_size(hull, target_count, panel_size)
+    made = make(size)
+    for _ in range(0 if panel_size is not None else 2):
+        count = len(made) * (2 if made.mirrored else 1)
+        if abs(count - target_count) <= 0.05 * target_count:
+            break
+        size *= float(np.sqrt(count / target_count))
+        made = make(size)
+    return made
 
 
 def _panel_size(hull: Hull, target_count: int, panel_size: float | None) -> float:
@@ -83,8 +102,8 @@ def _panel_size(hull: Hull, target_count: int, panel_size: float | None) -> floa
     return float(np.sqrt(surface / (PANEL_ASPECT * count)))
 
 
-def _one_hull(hull: Hull, index: int, size: float, half: bool, own_axes: bool = False) -> Panels:
-    """Return the panels of one hull in ship axes (or in its own), its half y > 0 or the whole of it."""
+def _one_hull(hull: Hull, index: int, size: float, half: bool) -> Panels:
+    """Return the panels of one hull: the whole of it in ship axes, or its half about its own centre plane."""
     if isinstance(hull_shape(hull, index), PanelMesh):
         return wetted_mesh(hull, hull_shape(hull, index), *upright_position(hull, index))
     floating = floating_hull(hull, index)
@@ -94,10 +113,7 @@ def _one_hull(hull: Hull, index: int, size: float, half: bool, own_axes: bool = 
     strips = max(LEAST_STRIPS * (1 if half else 2), round(girth / size))
     strips += 0 if half else strips % 2
     columns = max(LEAST_COLUMNS, round((fore - aft) / (PANEL_ASPECT * size)))
-    made = _structured(floating, station_positions(aft, fore, columns + 1), strips + 1, half, size)
-    if half:
-        return made.translated(x=-floating.x) if own_axes else made
-    return made
+    return _structured(floating, station_positions(aft, fore, columns + 1), strips + 1, half, size)
 
 
 def _structured(floating: FloatingHull, x: np.ndarray, points: int, half: bool, size: float) -> Panels:

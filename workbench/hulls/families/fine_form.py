@@ -24,6 +24,9 @@ from workbench.hulls.lines import Lines
 BELOW, ABOVE = 25, 9
 """Points of a contour below and above the waterline."""
 
+LEAST_UPPER = 0.3
+"""Share of the way to the corner of the upper control point of the straightest section: keeps it round."""
+
 ENTRANCE_RANGE = 0.5, 2.5
 """Slope of the waterline at the bow in half beams per length of the fore body, that gives a fair curve."""
 
@@ -108,9 +111,9 @@ def _refuse(form: FineForm) -> None:
         if row[:, 0].min() <= form.block_coefficient <= row[:, 0].max()
     ]
     raise InputError(
-        f"longitudinal centre of buoyancy must be {min(ends):.3f} to {max(ends):.3f} lengths from midships for "
-        f"this family with the other values as they are, got {form.lcb:g}; change it, the block coefficient "
-        "or the transom ratio."
+        f"longitudinal centre of buoyancy must be {min(ends):.3f} to {max(ends):.3f} lengths "
+        f"from midships for this family with the other values as they are, got {form.lcb:g}; "
+        "change it, the block coefficient or the transom ratio."
     )
 
 
@@ -124,7 +127,7 @@ def _block_and_lcb(form: FineForm, shift: float, fullness: float) -> tuple[float
 
 
 def _section_areas(y: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return areas of whole sections (stations,) from half contours keel to waterline, in half beams x draughts."""
+    """Return areas of whole sections (stations,) [half beams x draughts] from half contours below water."""
     return np.sum((y[:, 1:] + y[:, :-1]) * np.diff(z, axis=1), axis=1)
 
 
@@ -237,7 +240,8 @@ def _contours(
     zero = np.zeros_like(b)
     keel, edge = np.stack([zero, -d], axis=-1), np.stack([b, zero], axis=-1)
     corner = np.stack([corner_y, corner_z], axis=-1)
-    controls = keel, keel + full[:, None] * (corner - keel), edge + full[:, None] * (corner - edge), edge
+    upper = LEAST_UPPER + (1.0 - LEAST_UPPER) * full
+    controls = keel, keel + full[:, None] * (corner - keel), edge + upper[:, None] * (corner - edge), edge
     s = np.linspace(0.0, 1.0, BELOW)
     weights = (1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3
     points = sum(w[None, :, None] * control[:, None, :] for w, control in zip(weights, controls, strict=True))
@@ -249,7 +253,7 @@ def _contours(
 
 
 def _bulb(form: FineForm, x: np.ndarray) -> np.ndarray:
-    """Return the breadth added below water: from abaft midships, largest at the fore shoulder, round at the bow."""
-    rise = np.clip((x + 0.15) / 0.4, 0.0, 1.0)
+    """Return the breadth added below water, from abaft midships to a round nose."""
+    rise = np.clip((x + 0.35) / 0.6, 0.0, 1.0)
     nose = np.clip((x - 0.25) / 0.25, 0.0, 1.0)
     return form.bulb * rise**2 * (3 - 2 * rise) * np.sqrt(1.0 - nose**2)
