@@ -184,7 +184,7 @@ def _curves(scene: xr.Dataset) -> tuple[list[dict], np.ndarray]:
         else:
             rise = height - scene["clearance_left"].values[:, i, j]
         place = [float(scene["x"][i]), float(scene["y"][j]), height]
-        label = f"Relative motion, x {place[0]:.1f} m, y {place[1]:.1f} m"
+        label = "Relative motion"
         facts.append({"key": "worst", "label": label, "unit": "m", "line": height, "place": place})
         curves.append(np.nan_to_num(rise))
     if "pressure" in scene:

@@ -71,7 +71,17 @@ export function slamList(scene) {
     const [time, x, y, velocity, pressure] = scene.slams.subarray(i, i + 5);
     list.push({ time, x, y, velocity, pressure });
   }
-  return list;
+  return mainSlams(list, 0.2 * Math.abs(scene.deck.x.at(-1) - scene.deck.x[0]));
+}
+
+// One slam per place and moment, the hardest: neighbouring points that enter together count as one on the screen.
+function mainSlams(slams, reach) {
+  const kept = [];
+  for (const slam of [...slams].sort((a, b) => b.pressure - a.pressure)) {
+    const near = ({ time, x, y }) => Math.abs(time - slam.time) < 1.0 && Math.hypot(x - slam.x, y - slam.y) < reach;
+    if (!kept.some(near)) kept.push(slam);
+  }
+  return kept.sort((a, b) => a.time - b.time);
 }
 
 // Height of the wet deck at a point, bilinear, held at the edges.

@@ -49,25 +49,35 @@ const FRAGMENT = /* glsl */ `
   uniform float opacity;
   uniform float crest;
   uniform vec3 sun;
+  uniform vec2 drift;   // advance of the ship: ripples stay with the water, not with the frame
+  uniform float scale;
   varying vec3 vWorld;
   varying vec2 vSlope;
   varying float vEdge;
   void main() {
-    vec3 n = normalize(vec3(-vSlope, 1.0));
-    vec3 v = normalize(cameraPosition - vWorld);
+    vec3 v = cameraPosition - vWorld;
+    float distance = length(v);
+    v /= distance;
+    // ripples are shading only: they show the grain and the advance of the water, not its height
+    vec2 p = (vWorld.xy + drift) / scale;
+    vec2 q = p + 0.6 * sin(p.yx * 0.37 + vec2(1.3, 0.4));
+    vec2 ripple = vec2(cos(2.1 * q.x + 0.8 * q.y) + 0.7 * cos(4.3 * q.x - 2.6 * q.y),
+                       cos(1.7 * q.y - 1.1 * q.x) + 0.7 * cos(3.9 * q.y + 2.3 * q.x));
+    vec2 slope = vSlope + 0.045 * ripple * (1.0 - smoothstep(40.0, 170.0, distance / scale));
+    vec3 n = normalize(vec3(-slope, 1.0));
     float above = step(0.0, dot(n, v));
     if (above < 0.5) n = -n;
     float facing = clamp(dot(n, v), 0.0, 1.0);
-    float light = clamp(dot(vec3(-vSlope, 1.0), sun) / length(vec3(vSlope, 1.0)), 0.0, 1.0);
+    float light = clamp(dot(vec3(-slope, 1.0), sun) / length(vec3(slope, 1.0)), 0.0, 1.0);
     float rise = clamp(0.5 + 0.5 * vWorld.z / crest, 0.0, 1.0);
-    vec3 body = mix(vec3(0.055, 0.235, 0.345), vec3(0.275, 0.565, 0.655), rise * rise * 0.75 + 0.12);
-    vec3 colour = body * (0.52 + 0.72 * light);
+    vec3 body = mix(vec3(0.055, 0.235, 0.345), vec3(0.275, 0.565, 0.655), rise * rise * 0.8 + 0.1);
+    vec3 colour = body * (0.30 + 0.98 * light);
     float mirror = 0.03 + 0.62 * pow(1.0 - facing, 4.0);
     colour = mix(colour, vec3(0.80, 0.88, 0.93), mirror * above);
     vec3 h = normalize(sun + v);
     colour += above * 0.30 * pow(clamp(dot(n, h), 0.0, 1.0), 90.0);
     float fade = 1.0 - smoothstep(0.55, 1.0, vEdge);
-    gl_FragColor = vec4(colour, mix(opacity, opacity * 0.55, 1.0 - above) * fade);
+    gl_FragColor = vec4(colour, opacity * fade);
   }`;
 
 export class Sea {
@@ -78,6 +88,8 @@ export class Sea {
       opacity: { value: 0.9 },
       crest: { value: this.#crest() },
       sun: { value: sun },
+      drift: { value: new THREE.Vector2() },
+      scale: { value: length / 36 },
     };
     const defines = {};
     if (this.components) {
@@ -176,6 +188,7 @@ export class Sea {
   }
 
   setTime(time, { index, fraction }) {
+    this.uniforms.drift.value.x = this.scene.facts.speed * time;
     if (this.components) {
       const { water } = this.scene;
       const { data } = this.table.image;

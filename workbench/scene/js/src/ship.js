@@ -28,11 +28,11 @@ const HULL_FRAGMENT = /* glsl */ `
     float light = 0.5 + 0.5 * dot(n, sun);
     float sky = 0.5 + 0.5 * n.z;
     vec3 paint = vec3(0.93, 0.95, 0.965);
-    float w = fwidth(vBody.z);
+    float w = max(fwidth(vBody.z), 1e-4);
     paint = mix(vec3(0.55, 0.235, 0.20), paint, smoothstep(-w, w, vBody.z));
     paint = mix(vec3(0.13, 0.17, 0.21), paint, smoothstep(line - w, line + w, abs(vBody.z - line)));
     float rim = pow(1.0 - abs(dot(n, v)), 4.0);
-    vec3 colour = paint * (0.34 + 0.40 * light + 0.28 * sky) + 0.05 * rim;
+    vec3 colour = paint * (0.40 + 0.42 * light + 0.24 * sky) * vec3(0.985, 0.995, 1.0) + 0.05 * rim;
     gl_FragColor = vec4(colour, 1.0);
   }`;
 
@@ -110,6 +110,7 @@ export class Ship {
     this.deckBox = new THREE.Box3().setFromObject(deck);
     this.box.union(this.deckBox);
     this.box.getSize((this.size = new THREE.Vector3()));
+    this.outline = this.#outline(hull.geometry, deck.geometry);
   }
 
   #hull() {
@@ -129,6 +130,16 @@ export class Ship {
       side: THREE.DoubleSide,
     });
     return new THREE.Mesh(creased, material);
+  }
+
+  // Points enough to frame the ship by.
+  #outline(...geometries) {
+    const points = [];
+    for (const { attributes: { position } } of geometries) {
+      const step = Math.max(1, Math.floor(position.count / 30000));
+      for (let i = 0; i < position.count; i += step) points.push(new THREE.Vector3().fromBufferAttribute(position, i));
+    }
+    return points;
   }
 
   #deck() {
@@ -182,7 +193,7 @@ export class Ship {
   #marks() {
     const { deck } = this.scene;
     this.slams = slamList(this.scene);
-    const radius = 0.035 * Math.max(deck.x.at(-1) - deck.x[0], 1e-3);
+    const radius = 0.05 * Math.max(deck.x.at(-1) - deck.x[0], 1e-3);
     const material = new THREE.ShaderMaterial({
       vertexShader: MARK_VERTEX,
       fragmentShader: MARK_FRAGMENT,

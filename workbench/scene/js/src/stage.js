@@ -6,9 +6,9 @@ import { Ship } from "./ship.js";
 import { sampleAt } from "./data.js";
 
 export const CAMERAS = {
-  quarter: { name: "Quarter", from: [-0.80, -0.62, 0.50] },
-  bow: { name: "Bow", from: [0.92, -0.42, 0.26] },
-  under: { name: "Under the deck", from: [0.62, -0.46, -0.62] },
+  quarter: { name: "Quarter", from: [-0.62, -0.68, 0.58] },
+  bow: { name: "Bow", from: [0.88, -0.46, 0.34] },
+  under: { name: "Under the deck", from: [0.30, -0.56, -0.78] },
   side: { name: "Side", from: [-0.06, -1, 0.13] },
 };
 
@@ -115,10 +115,6 @@ export class Stage {
     this.camera.aspect = width / height;
     this.camera.clearViewOffset();
     const from = new THREE.Vector3(...CAMERAS[this.preset].from).normalize();
-    const { min, max } = this.ship.box;
-    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
-      (k) => new THREE.Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z),
-    );
     const target = this.ship.box.getCenter(new THREE.Vector3());
     let distance = this.ship.size.x * 2;
     for (let round = 0; round < 8; round++) {
@@ -126,12 +122,12 @@ export class Stage {
       this.camera.lookAt(target);
       this.camera.updateMatrixWorld();
       this.camera.updateProjectionMatrix();
-      const seen = corners.map((corner) => corner.clone().project(this.camera));
+      const seen = this.ship.outline.map((point) => point.clone().project(this.camera));
       const [xs, ys] = [seen.map(({ x }) => x), seen.map(({ y }) => y)];
       const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
       const shift = new THREE.Vector3((x0 + x1) / 2, (y0 + y1) / 2, target.clone().project(this.camera).z);
       target.copy(shift.unproject(this.camera));
-      distance *= Math.max((x1 - x0) / 2 / (0.97 * free[0]), (y1 - y0) / 2 / (0.90 * free[1]));
+      distance *= Math.max((x1 - x0) / 2 / (0.93 * free[0]), (y1 - y0) / 2 / (0.88 * free[1]));
     }
     this.camera.position.copy(target).addScaledVector(from, distance);
     this.camera.lookAt(target);
@@ -142,10 +138,9 @@ export class Stage {
 
   #aimPlan() {
     if (!this.planBox) return;
-    const { min, max } = this.ship.deckBox;
-    const outer = this.ship.box;
+    const { min, max } = this.ship.box;
     const aspect = this.planBox.width / this.planBox.height;
-    let [w, h] = [(max.x - min.x) * 1.04, Math.max((outer.max.y - outer.min.y) * 1.08, 1e-3)];
+    let [w, h] = [(max.x - min.x) * 1.05, Math.max((max.y - min.y) * 1.1, 1e-3)];
     if (w / h < aspect) w = h * aspect;
     else h = w / aspect;
     Object.assign(this.plan, { left: -w / 2, right: w / 2, top: h / 2, bottom: -h / 2, near: 1, far: 800 });
@@ -160,10 +155,14 @@ export class Stage {
 
   draw(time) {
     const { renderer } = this;
+    if (this.settled) {
+      this.settled = false;
+      renderer.setPixelRatio(this.ratio);
+    }
     this.ship.setTime(time);
     this.sea.setTime(time, sampleAt(this.scene.facts, time));
-    const depth = -this.camera.position.z / (0.08 * this.ship.size.x);
-    this.sea.uniforms.opacity.value = depth > 0 ? 0.42 : 0.92;
+    const depth = -this.camera.position.z;
+    this.sea.uniforms.opacity.value = depth > 0 ? 0.32 : 0.93;
     const [width, height] = this.size;
     renderer.setViewport(0, 0, width, height);
     renderer.setScissorTest(false);
@@ -178,7 +177,7 @@ export class Stage {
     renderer.clear();
     // the plan stays with the ship: only heave and roll are seen
     const { x, y } = this.ship.group.position;
-    const { min, max } = this.ship.deckBox;
+    const { min, max } = this.ship.box;
     this.plan.position.x = x + (min.x + max.x) / 2;
     this.plan.position.y = y + (min.y + max.y) / 2;
     renderer.render(this.world, this.plan);
@@ -203,6 +202,15 @@ export class Stage {
     if (Math.abs(wanted - this.ratio) < 0.01) return;
     this.ratio = wanted;
     this.renderer.setPixelRatio(wanted);
+  }
+
+  // One frame in full resolution, for a picture that stands still.
+  settle(time) {
+    const full = Math.max(1, Math.min(window.devicePixelRatio || 1, 2));
+    if (this.ratio >= full) return;
+    this.renderer.setPixelRatio(full);
+    this.draw(time);
+    this.settled = true;
   }
 
   // The picture as a canvas in full resolution.

@@ -3,7 +3,7 @@ import { curveAt, digitsOf, shown, slamList } from "./data.js";
 
 const PAGE = 60; // [s] shown at once
 const LEFT = 44;
-const RIGHT = 10;
+const RIGHT = 14;
 const HEAD = 22;
 const FOOT = 34;
 const INK = "#22303a";
@@ -69,13 +69,14 @@ export class Strip {
 
   #rowBox(i) {
     const pitch = (this.height - FOOT) / this.rows.length;
-    return { top: i * pitch + HEAD, bottom: (i + 1) * pitch - 6 };
+    const head = this.rows[i].place ? 2 * HEAD - 4 : HEAD;
+    return { head: i * pitch, top: i * pitch + head, bottom: (i + 1) * pitch - 6 };
   }
 
   setTime(time) {
     if (!this.width || this.width < 80) return;
     const span = this.#window(time);
-    if (!this.page || span[0] !== this.page) {
+    if (this.page !== span[0]) {
       this.shown = span;
       this.page = span[0];
       this.#paint();
@@ -87,7 +88,7 @@ export class Strip {
     this.rows.forEach((row, i) => {
       const value = curveAt(this.scene, row.key, time);
       this.values.children[i].textContent = `${shown(value, 2)} ${row.unit}`;
-      this.values.children[i].style.top = `${this.#rowBox(i).top - HEAD + 2}px`;
+      this.values.children[i].style.top = `${this.#rowBox(i).head + 2}px`;
     });
   }
 
@@ -102,7 +103,7 @@ export class Strip {
   }
 
   #paintRow(c, row, i) {
-    const { top, bottom } = this.#rowBox(i);
+    const { head, top, bottom } = this.#rowBox(i);
     const right = this.width - RIGHT;
     const { facts, curves } = this.scene;
     const series = curves.subarray(row.row * facts.count, (row.row + 1) * facts.count);
@@ -118,8 +119,12 @@ export class Strip {
     c.fillRect(LEFT, top, right - LEFT, bottom - top);
     c.fillStyle = INK;
     c.textAlign = "left";
-    c.fillText(fitted(c, `${row.label} [${row.unit}]`, this.width - 8 - 76), 4, top - HEAD + 12);
-    const step = roundStep((high - low) / Math.max(1, Math.floor((bottom - top) / 26)));
+    c.fillText(fitted(c, `${row.label} [${row.unit}]`, this.width - 8 - 76), 6, head + 12);
+    if (row.place) {
+      const [x, y] = row.place;
+      c.fillText(fitted(c, `worst point: x ${shown(x, 1)} m, y ${shown(y, 1)} m`, this.width - 12), 6, head + 29);
+    }
+    const step = roundStep((high - low) / Math.max(1, Math.floor((bottom - top) / 20)));
     c.textAlign = "right";
     for (let n = Math.ceil(low / step); n * step <= high; n++) {
       const level = Math.round(y(n * step)) + 0.5;
@@ -163,17 +168,21 @@ export class Strip {
     c.fillStyle = INK;
     for (let n = Math.ceil(a / step - 1e-9); n * step <= b + 1e-9; n++) {
       line(c, this.#x(n * step), base - 6, this.#x(n * step), base - 2, "#7d8f9b");
-      c.fillText(shown(n * step, digitsOf(step)), Math.min(this.#x(n * step), this.width - 12), base + 6);
+      c.fillText(shown(n * step, digitsOf(step)), Math.min(this.#x(n * step), this.width - 2 - c.measureText(shown(n * step, digitsOf(step))).width / 2), base + 6);
     }
     c.fillText("Time [s]", (LEFT + this.width - RIGHT) / 2, base + 23);
-    this.cursor.style.height = `${base - HEAD - 4}px`;
-    this.cursor.style.top = `${HEAD}px`;
+    // the cursor is interrupted where words stand
+    const stops = this.rows.flatMap((_, i) => {
+      const { head, top, bottom } = this.#rowBox(i);
+      return [`transparent ${head}px ${top}px`, `currentColor ${top}px ${bottom}px`, `transparent ${bottom}px`];
+    });
+    this.cursor.style.background = `linear-gradient(${stops.join(", ")})`;
   }
 }
 
 export function roundStep(least) {
   const decade = 10 ** Math.floor(Math.log10(least || 1));
-  return decade * [1, 2, 5, 10].find((n) => n * decade >= least * (1 - 1e-9));
+  return decade * [1, 2, 2.5, 5, 10].find((n) => n * decade >= least * (1 - 1e-9));
 }
 
 function line(c, x0, y0, x1, y1, colour, width = 1) {

@@ -8,6 +8,7 @@ import { Strip } from "./strip.js";
 
 const SYNC_INTERVAL = 500; // [ms] between reports of the time
 const TEXT_INTERVAL = 100; // [ms] between changes of the numbers
+const SETTLE = 250; // [ms] of standing still before the picture is sharpened
 const SLAM_SHOWN = 1.0; // [s]
 const NO_WEBGL = "This browser cannot draw the 3-D view because WebGL is switched off; switch hardware acceleration on, "
   + "or ask for the film of this scene instead. The curves, the time and the pressure below are still shown.";
@@ -33,6 +34,7 @@ export function createView(host, source, { height }) {
   let lastFrame = 0;
   let lastText = 0;
   let lastSync = 0;
+  let quietSince = 0;
   let frame = 0;
   const probe = { frames: 0, ms: 0, time, playing, ratio: 0 };
   window.__sv = probe;
@@ -168,7 +170,14 @@ export function createView(host, source, { height }) {
       if (time >= scene.end) time = scene.facts.start;
       if (interval) stage?.adapt(interval);
       reportTime(now);
-    } else if (!stale) return;
+    } else if (!stale) {
+      if (stage && quietSince && now - quietSince > SETTLE) {
+        quietSince = 0;
+        stage.settle(time);
+      }
+      return;
+    }
+    quietSince = now;
     stale = false;
     const begun = performance.now();
     stage?.draw(time);
