@@ -75,7 +75,7 @@ def checked_mesh(vertices: object, faces: object) -> tuple[tuple, tuple]:
     wet_points, wet_faces = _merged(*below_water(points, corners))
     _check_closed(wet_points, wet_faces)
     normal = _area_vectors(wet_points, wet_faces)
-    volume = -float(np.sum(normal[:, 2] * wet_points[wet_faces][..., 2].mean(axis=1)))
+    volume = float(np.sum(normal[:, 2] * wet_points[wet_faces][..., 2].mean(axis=1)))
     if volume <= 0.0:
         raise InputError(
             f"normals of the panel mesh must point into the water, got a volume of {volume:g} m3; "

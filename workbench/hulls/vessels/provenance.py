@@ -12,7 +12,10 @@ COUSER = (
     'P. R. Couser, "An investigation into the performance of high-speed catamarans in calm water and waves", '
     "PhD thesis, University of Southampton, 1996"
 )
-AMIN = "W. Amin, slam load from strain records of Incat 98 m catamarans, University of Tasmania"
+AMIN = (
+    'W. Amin, M. R. Davis, G. A. Thomas and D. S. Holloway, "Slamming quasi-static analysis of an Incat 98-m '
+    'high-speed wave piercing catamaran", University of Tasmania and Australian Maritime College'
+)
 BAGGUS = (
     'K. R. Baggus, "Dynamic response to wet deck slamming: a fast numerical method for a heavy-lift '
     'catamaran in head seas", MSc thesis, Delft University of Technology, 2025'
