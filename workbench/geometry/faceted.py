@@ -80,7 +80,10 @@ class Panels:
     def mirrored_image(self) -> "Panels":
         """Return the mirror image of these faces in y = 0."""
         return Panels(
-            self.vertices * np.array([1.0, -1.0, 1.0]), self.faces[:, ::-1], self.is_transom, self.mirrored
+            self.vertices * np.array([1.0, -1.0, 1.0]),
+            turned_faces(self.faces),
+            self.is_transom,
+            self.mirrored,
         )
 
     def whole(self) -> "Panels":
@@ -127,6 +130,14 @@ def _triangles_last(faces: np.ndarray) -> np.ndarray:
         repeated = faces[:, k] == faces[:, k + 1]
         faces[repeated] = np.roll(faces[repeated], 2 - k, axis=1)
     return faces
+
+
+def turned_faces(faces: np.ndarray) -> np.ndarray:
+    """Return the faces the other way round, with the same diagonal, so that a mirror image is exact."""
+    turned = faces[:, [0, 3, 2, 1]]
+    triangles = faces[:, 2] == faces[:, 3]
+    turned[triangles] = faces[triangles][:, [0, 2, 1, 1]]
+    return turned
 
 
 def grid_faces(rows: int, columns: int, start: int = 0) -> np.ndarray:

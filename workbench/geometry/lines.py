@@ -116,6 +116,11 @@ class FloatingHull:
         y, z = y * cosine - z * sine, y * sine + z * cosine
         return np.stack([y, z - (x * math.tan(self.trim))[:, None] - self.sinkage], axis=-1)
 
+    @property
+    def lowest_point(self) -> float:
+        """Height of the lowest point above still water [m]."""
+        return float(self.contours(self.lines.x + self.x, whole=self.heel != 0.0)[..., 1].min())
+
     def wetted_ends(self) -> tuple[float, float]:
         """Ends (aft, fore) [m] of the wetted length: where the keel meets the water, or the hull ends."""
         first, last = self.lines.x[0] + self.x, self.lines.x[-1] + self.x

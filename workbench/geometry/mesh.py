@@ -7,6 +7,7 @@ import numpy as np
 from workbench.design import Hull
 from workbench.errors import InputError
 from workbench.geometry.faceted import Panels, cleaned
+from workbench.geometry.lines import floating_hull, hull_shape, upright_position
 from workbench.hulls.surface_mesh import below_water
 from workbench.shapes import PanelMesh
 
@@ -21,6 +22,26 @@ def placed_vertices(hull: Hull, shape: PanelMesh, x: float, y: float) -> np.ndar
     cosine, sine = math.cos(hull.heel), math.sin(hull.heel)
     across, up = across * cosine - up * sine, across * sine + up * cosine
     return np.stack([along, across, up - along * math.tan(hull.trim) - hull.sinkage], axis=1)
+
+
+def is_wet(hull: Hull, index: int) -> bool:
+    """Whether hull number `index` reaches the water; a heeled ship may fly a hull."""
+    shape = hull_shape(hull, index)
+    if isinstance(shape, PanelMesh):
+        lowest = placed_vertices(hull, shape, *upright_position(hull, index))[:, 2].min()
+    else:
+        lowest = floating_hull(hull, index).lowest_point
+    return bool(lowest < -1e-4 * shape.draught)
+
+
+def wet_hulls(hull: Hull) -> tuple[int, ...]:
+    """Numbers of the hulls that reach the water; refused where none does."""
+    wet = tuple(index for index in range(hull.count) if is_wet(hull, index))
+    if not wet:
+        raise InputError(
+            "ship must reach the water, all its hulls are above still water; reduce heel, trim or rise."
+        )
+    return wet
 
 
 def wetted_mesh(hull: Hull, shape: PanelMesh, x: float, y: float) -> Panels:

@@ -15,7 +15,7 @@ from workbench.geometry.lines import (
     station_positions,
     upright_position,
 )
-from workbench.geometry.mesh import wetted_mesh
+from workbench.geometry.mesh import wet_hulls, wetted_mesh
 from workbench.geometry.waterline import waterline
 from workbench.shapes import PanelMesh
 
@@ -39,6 +39,7 @@ def panels(hull: Hull, target_count: int = 1000, *, panel_size: float | None = N
     -----
     An upright ship comes as its half y > 0 with ``mirrored`` true: the whole
     port hull of a twin, half of a single hull, both of these for three hulls.
+    A heeled ship comes whole, without the hulls that it flies above the water.
     """
     return _counted(lambda size: _whole_ship(hull, size), hull, target_count, panel_size)
 
@@ -46,7 +47,7 @@ def panels(hull: Hull, target_count: int = 1000, *, panel_size: float | None = N
 def _whole_ship(hull: Hull, size: float) -> Panels:
     """Return the panels of the whole ship for one size of panel."""
     if not is_symmetric(hull):
-        parts = [_one_hull(hull, k, size, half=False) for k in range(hull.count)]
+        parts = [_one_hull(hull, k, size, half=False) for k in wet_hulls(hull)]
         return joined(parts, mirrored=False)
     if hull.count == 1:
         return _one_hull(hull, 0, size, half=not isinstance(hull.shape, PanelMesh))
@@ -164,7 +165,7 @@ def lid_panels(hull: Hull, index: int | None = None, *, columns: int = 24, strip
         made = _lid(waterline(hull, index, columns), strips, half=half, centre=y)
         return made.translated(-x, -y)
     if not is_symmetric(hull):
-        parts = [_lid(waterline(hull, k, columns), strips, half=False) for k in range(hull.count)]
+        parts = [_lid(waterline(hull, k, columns), strips, half=False) for k in wet_hulls(hull)]
         return joined(parts, mirrored=False)
     if hull.count == 1:
         return _lid(waterline(hull, 0, columns), strips, half=not isinstance(hull.shape, PanelMesh))

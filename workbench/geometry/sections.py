@@ -14,7 +14,7 @@ from workbench.geometry.lines import (
     station_positions,
     upright_position,
 )
-from workbench.geometry.mesh import placed_vertices, wetted_mesh
+from workbench.geometry.mesh import is_wet, placed_vertices, wet_hulls, wetted_mesh
 from workbench.hulls.lines import evenly_spaced, girth
 from workbench.shapes import PanelMesh
 
@@ -50,7 +50,7 @@ class HullSections:
     @property
     def draughts(self) -> np.ndarray:
         """Depths of the lowest points below still water (stations,) [m]."""
-        return -self.z.min(axis=1)
+        return -self.z.min(axis=1, initial=0.0)
 
     @property
     def girths(self) -> np.ndarray:
@@ -69,16 +69,20 @@ def sections(hull: Hull, stations: int = 41, points: int = 41) -> tuple[HullSect
 
     Notes
     -----
-    Heel is a rotation about x; trim is a shear along z, which keeps the stations in their planes.
+    A hull that flies above the water has no stations. Heel is a rotation about
+    x; trim is a shear along z, which keeps the stations in their planes.
     """
     stations = int(checked_number("number of stations", stations, at_least=3, at_most=1000))
     points = int(checked_number("number of points of a section", points, at_least=3, at_most=1000)) | 1
+    wet_hulls(hull)
     return tuple(_hull_sections(hull, index, stations, points) for index in range(hull.count))
 
 
 def _hull_sections(hull: Hull, index: int, stations: int, points: int) -> HullSections:
     """Return the sections of one hull."""
     position = hull_positions(hull)[index]
+    if not is_wet(hull, index):
+        return HullSections(np.empty(0), np.empty((0, points)), np.empty((0, points)), position)
     if isinstance(hull_shape(hull, index), PanelMesh):
         return _mesh_sections(hull, index, stations, points)
     floating = floating_hull(hull, index)
@@ -148,7 +152,10 @@ def surface(hull: Hull, stations: int = 61, points: int = 41) -> tuple[np.ndarra
             part = _hull_surface(hull, index, stations, points)
         faces.append(part[1] + sum(map(len, vertices)))
         vertices.append(part[0])
-    return np.concatenate(vertices), np.concatenate(faces)
+    points, corners = np.concatenate(vertices), np.concatenate(faces)
+    diagonals = points[corners[:, 2:]] - points[corners[:, :2]]
+    areas = np.linalg.norm(np.cross(diagonals[:, 0], diagonals[:, 1]), axis=1)
+    return points, corners[areas > 1e-9 * hull.length**2 / len(corners)]
 
 
 def _hull_surface(hull: Hull, index: int, stations: int, points: int) -> tuple[np.ndarray, np.ndarray]:
