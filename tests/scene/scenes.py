@@ -13,9 +13,14 @@ def hull(n_x: int = 40, n_z: int = 12) -> tuple[np.ndarray, np.ndarray]:
     x = np.linspace(-LENGTH / 2, LENGTH / 2, n_x)
     s = np.linspace(0, 1, n_z)
     ahead = np.clip(x / (LENGTH / 2), 0, 1)[:, None]
-    z = -DRAUGHT * (1 - 0.25 * np.clip(-x / (LENGTH / 2), 0, 1)[:, None]) * (1 - s) + (DEPTH + 1.5 * ahead**2) * s
+    z = (
+        -DRAUGHT * (1 - 0.25 * np.clip(-x / (LENGTH / 2), 0, 1)[:, None]) * (1 - s)
+        + (DEPTH + 1.5 * ahead**2) * s
+    )
     full = np.clip(s / 0.28, 0, 1) ** 0.55
-    half_breadth = BEAM / 2 * full * (1 - ahead ** (2.2 + 2.5 * s)) * (0.8 + 0.2 * np.cos(x / LENGTH)[:, None])
+    half_breadth = (
+        BEAM / 2 * full * (1 - ahead ** (2.2 + 2.5 * s)) * (0.8 + 0.2 * np.cos(x / LENGTH)[:, None])
+    )
     rake = x[:, None] + 4.0 * ahead**4 * s
     index = np.arange(n_x * n_z).reshape(n_x, n_z)
     a, b, c, d = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
@@ -59,7 +64,9 @@ def elevation(components, time, x, y):
     return np.einsum("tc,xc,yc->txy", weight, along, across, optimize=True).real
 
 
-def demo_scene(duration: float = 40.0, step: float = 0.1, film: bool = False, grid: tuple = (90, 60), **changes):
+def demo_scene(
+    duration: float = 40.0, step: float = 0.1, film: bool = False, grid: tuple = (90, 60), **changes
+):
     """Scene of a catamaran in irregular seas, with three fields on a deck of 30 x 12 points and its slams."""
     time = np.arange(0, duration + step / 2, step)
     components = sea()

@@ -112,9 +112,7 @@ def scene_description(
     ):
         unknown = [str(name) for name in part if name not in allowed]
         if unknown:
-            raise InputError(
-                f"A scene has no quantity {', '.join(unknown)}; use {', '.join(allowed)} here."
-            )
+            raise InputError(f"A scene has no quantity {', '.join(unknown)}; use {', '.join(allowed)} here.")
         arrays.update(part)
     speed = checked_number("Speed", speed, "m/s")
 
@@ -200,7 +198,9 @@ def _check_sizes(arrays: Mapping) -> None:
     sizes: dict[str, tuple[int, str]] = {dim: (size, "a scene") for dim, size in _FIXED_SIZES.items()}
     for name, (dims, shape) in arrays.items():
         if set(dims) != set(_DIMS[name]):
-            raise InputError(f"{name} must have the dimensions ({', '.join(_DIMS[name])}), got {tuple(dims)}.")
+            raise InputError(
+                f"{name} must have the dimensions ({', '.join(_DIMS[name])}), got {tuple(dims)}."
+            )
         for dim, size in zip(dims, shape, strict=True):
             expected, owner = sizes.setdefault(dim, (size, name))
             if size != expected:

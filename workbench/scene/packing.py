@@ -31,7 +31,17 @@ _LABELS = {
 _EDGE_UNITS = {"Pa": ("kPa", 1e-3)}
 _STEPS = np.array([1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0])
 
-BLOCKS = ("pose", "water", "water_grid", "hull_vertices", "hull_faces", "deck", "slams", "curves", *DECK_FIELDS)
+BLOCKS = (
+    "pose",
+    "water",
+    "water_grid",
+    "hull_vertices",
+    "hull_faces",
+    "deck",
+    "slams",
+    "curves",
+    *DECK_FIELDS,
+)
 """Names of the binary blocks, in the order in which they are documented in `packed_scene`."""
 
 

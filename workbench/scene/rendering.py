@@ -32,13 +32,23 @@ class ScenePainting:
         hull = _surface(scene["hull_vertices"].values, scene["hull_faces"].values)
         length = hull.length
         hull = hull.clean(tolerance=1e-6).fill_holes(length)
-        self.ship = [self.plotter.add_mesh(hull, scalars=_paint(hull), rgb=True, split_sharp_edges=True, feature_angle=35)]
-        self._add_deck()
+        self.ship = [
+            self.plotter.add_mesh(
+                hull.clip("z", origin=(0, 0, 0), invert=below),
+                color="#a8483c" if below else "#eef3f6",
+                ambient=0.28,
+                diffuse=0.78,
+                split_sharp_edges=True,
+                feature_angle=35,
+            )
+            for below in (True, False)
+        ]
+        self._add_deck(camera)
         self._lights()
         _aim(self.plotter, camera, [hull, self.deck], title=scene.attrs.get("title", ""))
         self._add_sea(length)
 
-    def _add_deck(self) -> None:
+    def _add_deck(self, camera: str) -> None:
         x, y = np.meshgrid(self.scene["x"].values, self.scene["y"].values, indexing="ij")
         self.deck = pyvista.StructuredGrid(x, y, self.scene["deck_height"].values)
         if not self.field:
@@ -47,6 +57,7 @@ class ScenePainting:
         facts = deck_field(self.scene[self.field])
         self.factor = facts["factor"]
         self.deck[self.field] = self._deck_values(0.0)
+        self.levels = np.linspace(facts["low"], facts["high"], BANDS + 1)[1:-1] * self.factor
         limits = [facts["low"] * self.factor, facts["high"] * self.factor]
         self.ship.append(
             self.plotter.add_mesh(
@@ -66,13 +77,13 @@ class ScenePainting:
             title=f"{facts['label']} [{facts['unit']}]\n",
             n_labels=5,
             fmt="%.0f" if abs(step - round(step)) < 1e-9 else "%.2f",
-            color=INK,
+            color=INK if camera == "under" else "white",
             title_font_size=18,
             label_font_size=16,
             width=0.34,
-            height=0.09,
-            position_x=0.03,
-            position_y=0.04,
+            height=0.11,
+            position_x=0.02,
+            position_y=0.03,
             mapper=self.ship[-1].mapper,
         )
 
@@ -88,7 +99,7 @@ class ScenePainting:
             np.abs(self.sea_x - xs.mean()) / np.ptp(xs) * 2, np.abs(self.sea_y - ys.mean()) / np.ptp(ys) * 2
         )
         under = self.plotter.camera.position[2] < 0
-        opacity = (0.4 if under else 0.94) * np.clip((1 - edge) / 0.3, 0, 1)
+        opacity = (0.16 if under else 0.94) * np.clip((1 - edge) / 0.3, 0, 1)
         self.sea["colour"] = np.concatenate(
             [np.tile(_SEA, (edge.size, 1)), 255 * opacity.ravel(order="F")[:, None]], axis=1
         ).astype(np.uint8)
@@ -97,17 +108,18 @@ class ScenePainting:
             scalars="colour",
             rgba=True,
             smooth_shading=True,
-            specular=0.3,
-            specular_power=30,
-            ambient=0.15,
-            diffuse=0.9,
+            specular=0.45,
+            specular_power=18,
+            ambient=0.05,
+            diffuse=1.0,
         )
 
     def _lights(self) -> None:
         self.plotter.remove_all_lights()
-        self.plotter.add_light(pyvista.Light(position=(-35, -62, 70), intensity=0.75, light_type="scene light"))
-        self.plotter.add_light(pyvista.Light(position=(60, 30, 40), intensity=0.30, light_type="scene light"))
-        self.plotter.add_light(pyvista.Light(position=(10, -30, -60), intensity=0.25, light_type="scene light"))
+        for position, intensity in (((-25, -40, 85), 0.70), ((60, 30, 40), 0.35), ((10, -30, -60), 0.55)):
+            self.plotter.add_light(
+                pyvista.Light(position=position, intensity=intensity, light_type="scene light")
+            )
 
     def _deck_values(self, index: float) -> np.ndarray:
         before = int(min(index, self.scene.sizes["time"] - 2))
@@ -126,9 +138,16 @@ class ScenePainting:
         self.sea.points = points
         if self.field:
             self.deck[self.field] = self._deck_values((time - axis[0]) / (axis[1] - axis[0]))
-        self.plotter.add_text(
-            f"Time {time:.1f} s", position="upper_right", font_size=11, color=INK, name="time", shadow=False
-        )
+            self._draw_isolines(pose)
+        _write(self.plotter, f"Time {time:.1f} s", (0.87, 0.93), "time")
+
+    def _draw_isolines(self, pose: np.ndarray) -> None:
+        lines = self.deck.contour(self.levels, scalars=self.field)
+        if lines.n_points == 0:
+            self.plotter.remove_actor("isolines", render=False)
+            return
+        actor = self.plotter.add_mesh(lines, color="#33414b", line_width=1.5, lighting=False, name="isolines")
+        actor.user_matrix = _pose_matrix(pose)
 
 
 def paint(order: dict) -> None:
@@ -154,7 +173,15 @@ def paint(order: dict) -> None:
 def _paint_mesh(order: dict) -> None:
     plotter = _plotter(order["size"])
     mesh = _surface(order["vertices"], order["faces"])
-    plotter.add_mesh(mesh, color="#cfdde6", show_edges=order["edges"], edge_color="#37474f", line_width=1)
+    plotter.add_mesh(
+        mesh,
+        color="#dbe7ee",
+        ambient=0.35,
+        diffuse=0.7,
+        show_edges=order["edges"],
+        edge_color="#37474f",
+        line_width=1,
+    )
     _aim(plotter, order["camera"], [mesh], title=order["title"])
     plotter.screenshot(order["path"])
 
@@ -176,10 +203,11 @@ def _surface(vertices: np.ndarray, faces: np.ndarray) -> pyvista.PolyData:
     return pyvista.PolyData(np.asarray(vertices, float), np.concatenate(cells))
 
 
-def _paint(hull: pyvista.PolyData) -> np.ndarray:
-    """Colour of the points: red-brown below the design waterline, white above."""
-    below = hull.points[:, 2] < 0
-    return np.where(below[:, None], np.array([141, 60, 51]), np.array([236, 241, 245])).astype(np.uint8)
+def _write(plotter: pyvista.Plotter, words: str, place: tuple[float, float], name: str) -> None:
+    """Write words on a light ground, so that they can be read over sea and sky."""
+    actor = plotter.add_text(words, position=place, viewport=True, font_size=12, color=INK, name=name)
+    actor.prop.background_color = "white"
+    actor.prop.background_opacity = 0.8
 
 
 def _pose_matrix(pose: np.ndarray) -> np.ndarray:
@@ -210,18 +238,25 @@ def _aim(plotter: pyvista.Plotter, camera: str, meshes: list, title: str) -> Non
     else:
         plotter.camera.view_angle = 28
         half = np.tan(np.radians(14))
-        points = np.concatenate([mesh.points for mesh in meshes]) - centre
+        points = np.concatenate([mesh.points for mesh in meshes])
         right = np.cross(-away, (0, 0, 1))
         right /= np.linalg.norm(right)
         up = np.cross(right, -away)
-        depth, across, high = points @ away, points @ right, points @ up
-        distance = max(
-            (depth + np.abs(across) / (half * width / height * 0.92)).max(), (depth + np.abs(high) / (half * 0.62)).max()
-        )
+        distance = 2 * length
+        for _ in range(12):  # centre the picture of the ship, then come as near as it allows
+            relative = points - centre
+            depth = distance - relative @ away
+            across, high = (relative @ right) / depth, (relative @ up) / depth
+            centre = centre + distance * (np.mean([across.min(), across.max()]) * right)
+            centre = centre + distance * (np.mean([high.min(), high.max()]) * up)
+            distance *= max(
+                np.ptp(across) / (2 * half * width / height * 0.90), np.ptp(high) / (2 * half * 0.66)
+            )
+        plotter.camera.focal_point = centre
         plotter.camera.position = centre + away * distance
         plotter.camera.clipping_range = (distance / 50, distance * 12)
     if title:
-        plotter.add_text(title, position="upper_left", font_size=11, color=INK, shadow=False)
+        _write(plotter, title, (0.02, 0.93), "title")
 
 
 if __name__ == "__main__":

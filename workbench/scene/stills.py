@@ -121,7 +121,9 @@ def film(
     """
     scene, field, camera = checked_scene(scene), _checked_field(scene, field), _checked_camera(camera)
     first, last = float(scene["time"][0]), float(scene["time"][-1])
-    start = checked_number("Start of the film", first if start is None else start, "s", at_least=first, below=last)
+    start = checked_number(
+        "Start of the film", first if start is None else start, "s", at_least=first, below=last
+    )
     end = checked_number("End of the film", last if end is None else end, "s", above=start, at_most=last)
     rate = int(checked_number("Frames per second", frames_per_second, at_least=1, at_most=50))
     count = max(2, int(round((end - start) * rate)))

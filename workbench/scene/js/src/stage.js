@@ -162,7 +162,7 @@ export class Stage {
     this.ship.setTime(time);
     this.sea.setTime(time, sampleAt(this.scene.facts, time));
     const depth = -this.camera.position.z;
-    this.sea.uniforms.opacity.value = depth > 0 ? 0.32 : 0.93;
+    this.sea.uniforms.opacity.value = depth > 0 ? 0.18 : 0.93;
     const [width, height] = this.size;
     renderer.setViewport(0, 0, width, height);
     renderer.setScissorTest(false);
