@@ -26,7 +26,7 @@ import numpy as np
 
 from workbench.conventions import GRAVITY, MODES, encounter_frequency
 from workbench.errors import InputError
-from workbench.geometry.panels import Panels
+from workbench.geometry.faceted import Panels, turned_faces
 
 logging.getLogger("capytaine").setLevel(logging.ERROR)
 
@@ -54,7 +54,7 @@ def _mesh(vertices: np.ndarray, faces: np.ndarray) -> cpt.Mesh:
 def _meshes(panels: Panels) -> tuple[cpt.Mesh, cpt.Mesh]:
     """Return the panels and their mirror image in y = 0 as Capytaine meshes (cached by identity)."""
     mirrored = panels.vertices * np.array([1.0, -1.0, 1.0])
-    return _mesh(panels.vertices, panels.faces), _mesh(mirrored, panels.faces[:, ::-1])
+    return _mesh(panels.vertices, panels.faces), _mesh(mirrored, turned_faces(panels.faces))
 
 
 def influence(

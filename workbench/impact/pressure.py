@@ -57,8 +57,7 @@ def peak_pressure(law: PressureLaw, velocity, angle, density: float) -> np.ndarr
     normal and v sin(xi) along it; his factor 1/cos(pitch)**2 is in
     `workbench.impact.chuang.method_one` alone, where the pitch is known.
     """
-    velocity = np.asarray(velocity, float)
-    angle = np.asarray(angle, float)
+    velocity, angle = np.broadcast_arrays(np.asarray(velocity, float), np.asarray(angle, float))
     if law.name == "panel":
         return wagner.impact_pressure(velocity, law.coefficient, density)
     if law.name == "wagner":

@@ -60,9 +60,7 @@ def entries(
     relative_flat = relative_amplitudes.reshape(len(frequency), -1)
     slope_flat = slope_amplitudes.reshape(len(frequency), -1)
     found = []
-    slopes = record_blocks(slope_flat, frequency, duration, time_step, overlap=3)
-    rises = record_blocks(relative_flat, frequency, duration, time_step, overlap=3)
-    for (start, rise), (_, slope) in zip(rises, slopes, strict=True):
+    for start, rise in record_blocks(relative_flat, frequency, duration, time_step, overlap=3):
         above = rise >= height
         crossing = ~above[:, 1:-2] & above[:, 2:-1]
         point, index = np.nonzero(crossing)
@@ -71,8 +69,10 @@ def entries(
             continue
         four = np.stack([rise[point, index + step] for step in (-1, 0, 1, 2)]).astype(float)
         share, velocity = _crossing(four - deck.height.values.ravel()[point])
-        water = slope[point, index] * (1 - share) + slope[point, index + 1] * share
-        found.append(((start + index + share) * time_step, point, velocity / time_step, water))
+        instant = (start + index + share) * time_step
+        phase = np.exp(-1j * np.multiply.outer(frequency, instant))
+        water = np.einsum("ce,ce->e", slope_flat[:, point], phase).real
+        found.append((instant, point, velocity / time_step, water))
     times, point, velocity, water = (
         (np.concatenate(parts) for parts in zip(*found, strict=True)) if found else (np.zeros(0),) * 4
     )
