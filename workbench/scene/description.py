@@ -188,7 +188,7 @@ def _numbers(name: str, value) -> np.ndarray:
         raise InputError(f"{name} must be an array of real numbers, got {type(value).__name__}.") from None
     if array.ndim != len(_DIMS[name]):
         raise InputError(
-            f"{name} must have the dimensions ({', '.join(_DIMS[name])}), got an array of shape {array.shape}."
+            f"{name} must have the dimensions ({', '.join(_DIMS[name])}), got shape {array.shape}."
         )
     return array
 
@@ -223,7 +223,7 @@ def _check_water(scene: xr.Dataset) -> None:
     if film == components:
         got = "both" if film else "neither"
         raise InputError(
-            f"The water of a scene is either an elevation film or wave components, got {got}; give one of them."
+            f"The water of a scene is either an elevation film or wave components, got {got}; give one."
         )
     if components:
         _check_complete(scene, COMPONENTS, "wave components")
@@ -238,5 +238,6 @@ def _check_time(time: np.ndarray) -> None:
     steps = np.diff(time)
     if np.ptp(steps) > 1e-3 * steps.mean():
         raise InputError(
-            f"The time of a scene must be uniform, got steps from {steps.min():g} to {steps.max():g} s; resample it."
+            f"The time of a scene must be uniform, got steps from {steps.min():g} to {steps.max():g} s; "
+            "resample it."
         )

@@ -168,8 +168,8 @@ def _water(scene: xr.Dataset) -> tuple[bytes, bytes, dict]:
     film = scene["elevation"].values
     if film.size * 2 > FILM_LIMIT:
         raise InputError(
-            f"The elevation film has {film.size * 2e-6:.0f} MB, at most {FILM_LIMIT * 1e-6:.0f} MB can be shown; "
-            "use a shorter time, a coarser grid or wave components."
+            f"The elevation film has {film.size * 2e-6:.0f} MB, at most {FILM_LIMIT * 1e-6:.0f} MB "
+            "can be shown; use a shorter time, a coarser grid or wave components."
         )
     quantised, unit = quantised_film(film)
     grid = _floats(scene["sea_x"]) + _floats(scene["sea_y"])

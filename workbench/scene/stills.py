@@ -21,8 +21,8 @@ from workbench.scene.description import DECK_FIELDS, checked_scene
 
 CAMERAS = {
     "quarter": (-0.62, -0.68, 0.58),
-    "bow": (0.88, -0.46, 0.34),
-    "under": (0.30, -0.56, -0.78),
+    "bow": (0.80, 0.52, 0.46),
+    "under": (0.17, -0.60, -0.78),
     "side": (-0.06, -1.0, 0.13),
     "plan": (0.0, 0.0, 1.0),
 }
@@ -126,7 +126,7 @@ def film(
     )
     end = checked_number("End of the film", last if end is None else end, "s", above=start, at_most=last)
     rate = int(checked_number("Frames per second", frames_per_second, at_least=1, at_most=50))
-    count = max(2, int(round((end - start) * rate)))
+    count = max(2, round((end - start) * rate))
     size = tuple(max(16, 16 * round(length / 16)) for length in size)
     job = {
         "kind": "film",

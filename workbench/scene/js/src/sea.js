@@ -65,8 +65,8 @@ const FRAGMENT = /* glsl */ `
                        cos(1.7 * q.y - 1.1 * q.x) + 0.7 * cos(3.9 * q.y + 2.3 * q.x));
     vec2 slope = vSlope + 0.045 * ripple * (1.0 - smoothstep(40.0, 170.0, distance / scale));
     vec3 n = normalize(vec3(-slope, 1.0));
-    float above = step(0.0, dot(n, v));
-    if (above < 0.5) n = -n;
+    float above = gl_FrontFacing ? 1.0 : 0.0;
+    if (!gl_FrontFacing) n = -n;
     float facing = clamp(dot(n, v), 0.0, 1.0);
     float light = clamp(dot(vec3(-slope, 1.0), sun) / length(vec3(slope, 1.0)), 0.0, 1.0);
     float rise = clamp(0.5 + 0.5 * vWorld.z / crest, 0.0, 1.0);
@@ -149,7 +149,7 @@ export class Sea {
     let xs = this.scene.seaX;
     let ys = this.scene.seaY;
     if (this.components) {
-      const count = software ? 112 : 176;
+      const count = software ? 100 : 176;
       const stretched = Float32Array.from({ length: count }, (_, i) => {
         const s = (2 * i) / (count - 1) - 1;
         return length * (1.0 * s + 1.4 * s ** 3);

@@ -32,7 +32,7 @@ const HULL_FRAGMENT = /* glsl */ `
     paint = mix(vec3(0.55, 0.235, 0.20), paint, smoothstep(-w, w, vBody.z));
     paint = mix(vec3(0.13, 0.17, 0.21), paint, smoothstep(line - w, line + w, abs(vBody.z - line)));
     float rim = pow(1.0 - abs(dot(n, v)), 4.0);
-    vec3 colour = paint * (0.40 + 0.42 * light + 0.24 * sky) * vec3(0.985, 0.995, 1.0) + 0.05 * rim;
+    vec3 colour = paint * (0.54 + 0.28 * light + 0.23 * sky) * vec3(0.985, 0.995, 1.0) + 0.05 * rim;
     gl_FragColor = vec4(colour, 1.0);
   }`;
 

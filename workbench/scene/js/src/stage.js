@@ -7,8 +7,8 @@ import { sampleAt } from "./data.js";
 
 export const CAMERAS = {
   quarter: { name: "Quarter", from: [-0.62, -0.68, 0.58] },
-  bow: { name: "Bow", from: [0.88, -0.46, 0.34] },
-  under: { name: "Under the deck", from: [0.30, -0.56, -0.78] },
+  bow: { name: "Bow", from: [0.80, 0.52, 0.46] },
+  under: { name: "Under the deck", from: [0.17, -0.60, -0.78] },
   side: { name: "Side", from: [-0.06, -1, 0.13] },
 };
 
@@ -38,7 +38,7 @@ export class Stage {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, powerPreference: "high-performance" });
     this.renderer.setClearColor(BACKGROUND, 1);
     this.renderer.autoClear = false;
-    this.ratios = this.software ? [0.45, 0.85] : [0.6, Math.min(window.devicePixelRatio || 1, 2)];
+    this.ratios = this.software ? [0.35, 0.85] : [0.6, Math.min(window.devicePixelRatio || 1, 2)];
     this.ratio = this.ratios[1];
     this.ceiling = this.ratios[1];
     this.intervals = [];
