@@ -43,7 +43,7 @@ def design(**changes):
         ({"centre_shape": SHAPE}, "centre hull needs a count of 3"),
         ({"heel": 1.0}, "heel must be"),
         ({"trim": math.inf}, "trim must be"),
-        ({"sinkage": 3.0}, "sinkage must be .* deck edge awash"),
+        ({"sinkage": 3.1}, "sinkage must be .* deck edge awash"),
         ({"sinkage": -2.0}, "sinkage must be"),
     ],
 )

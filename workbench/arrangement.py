@@ -53,7 +53,7 @@ class Hull:
         set_number(self, "trim", "trim", "rad", at_least=-LARGEST_TRIM, at_most=LARGEST_TRIM)
         freeboard = self.shape.depth - draught
         set_number(
-            self, "sinkage", "sinkage", "m", above=-draught, below=freeboard,
+            self, "sinkage", "sinkage", "m", above=-draught, at_most=freeboard,
             cure="stay between hull just out of the water and deck edge awash",
         )  # fmt: skip
         self._check_arrangement()

@@ -11,13 +11,14 @@ from workbench.geometry.sections import sections, surface
 from workbench.hulls import library
 from workbench.shapes import HeavyLiftBox, Offsets, Wigley
 
+NAMES = [name for name in library.names() if name == "npl-5b" or not name.startswith("npl")]
 L, B, T = 40.0, 4.0, 2.0
 WIGLEY = Wigley(length=L, beam=B, draught=T, depth=5.0)
 CHINE = ((0.0, 0.0), (0.5, 1.0), (2.0, 1.2))
 HARD_CHINE = Offsets(stations=tuple((x, CHINE) for x in np.linspace(-10, 10, 9)), draught=1.5, length=20.0)
 
 
-@pytest.mark.parametrize("name", library.names())
+@pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("attitude", [{}, {"trim": 0.005}, {"heel": 0.02}])
 def test_section_areas_add_up_to_the_volume(name, attitude):
     hull = replace(library.design(name).hull, **attitude)
@@ -74,7 +75,7 @@ def test_heel_turns_the_sections_about_the_origin():
     assert part.draughts[2] == pytest.approx(-corner[1])
 
 
-@pytest.mark.parametrize("name", library.names())
+@pytest.mark.parametrize("name", NAMES)
 def test_the_surface_is_a_closed_body_that_looks_outwards(name):
     hull = library.design(name).hull
     points, faces = surface(hull)

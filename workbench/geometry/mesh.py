@@ -8,7 +8,7 @@ from workbench.design import Hull
 from workbench.errors import InputError
 from workbench.geometry.faceted import Panels, cleaned
 from workbench.geometry.lines import floating_hull, hull_shape, upright_position
-from workbench.hulls.surface_mesh import below_water
+from workbench.hulls.surface_mesh import below_water, check_closed
 from workbench.shapes import PanelMesh
 
 
@@ -53,4 +53,7 @@ def wetted_mesh(hull: Hull, shape: PanelMesh, x: float, y: float) -> Panels:
             "still water; reduce heel, trim or rise."
         )
     vertices, faces = below_water(vertices, np.array(shape.faces))
-    return cleaned(vertices, faces, np.zeros(len(faces), bool), mirrored=False)
+    made = cleaned(vertices, faces, np.zeros(len(faces), bool), mirrored=False)
+    if hull.heel or hull.trim or hull.sinkage:  # a mesh that ends at its own waterline floods in another
+        check_closed(made.vertices, made.faces, tolerance=1e-4)
+    return made

@@ -2,7 +2,7 @@
 
 [WAMIT] WAMIT User Manual, chapter 6: a Geometric Data File holds a title, ULEN and GRAV, the
     symmetries ISX and ISY, the number of panels, and four corners x, y, z of each panel,
-    counter-clockwise seen from the water.
+    counter-clockwise seen from the water. ULEN only makes WAMIT's output dimensionless.
 """
 
 from pathlib import Path
@@ -60,7 +60,8 @@ def _read_with_meshio(path: Path) -> tuple[np.ndarray, list]:
     import meshio  # here, because it takes a third of a second and few designs need it
 
     try:
-        mesh = meshio.read(path)
+        with np.errstate(all="ignore"):  # it takes the text of an ASCII STL for a number of triangles first
+            mesh = meshio.read(path)
     except (Exception, SystemExit) as error:  # its readers raise whatever the bytes lead to
         raise InputError(
             f"mesh file must be a readable STL, OBJ, PLY, VTK or GDF file, {path.name} is not ({error}); "
@@ -72,6 +73,8 @@ def _read_with_meshio(path: Path) -> tuple[np.ndarray, list]:
         if block.type in ("triangle", "quad")
         for row in np.asarray(block.data).tolist()
     ]
+    if mesh.points.ndim != 2 or mesh.points.shape[1] < 3:
+        raise InputError(f"mesh file must have points x, y, z, {path.name} has others; write it anew.")
     if not faces:
         raise InputError(
             f"mesh file must hold triangles or quadrilaterals, {path.name} has none; export panels."
@@ -84,8 +87,8 @@ def _read_gdf(path: Path) -> tuple[np.ndarray, list]:
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     try:
         numbers = [float(word) for line in lines[1:] for word in line.split("!")[0].split()[:12]]
-        scale, _, mirror_x, mirror_y, count = numbers[:5]
-        corners = np.array(numbers[5 : 5 + 12 * int(count)]).reshape(int(count), 4, 3) * (scale or 1.0)
+        _, _, mirror_x, mirror_y, count = numbers[:5]
+        corners = np.array(numbers[5 : 5 + 12 * int(count)]).reshape(int(count), 4, 3)
     except (ValueError, IndexError):
         raise InputError(
             f"GDF file must hold a title, ULEN GRAV, ISX ISY, the number of panels and 12 numbers a panel, "

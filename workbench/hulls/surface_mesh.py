@@ -43,8 +43,9 @@ def _cut(polygon: np.ndarray) -> np.ndarray:
         if this[2] <= 0.0:
             kept.append(this)
         if (this[2] < 0.0 < following[2]) or (following[2] < 0.0 < this[2]):
-            share = this[2] / (this[2] - following[2])
-            kept.append(np.array([*(this[:2] + share * (following[:2] - this[:2])), 0.0]))
+            wet, dry = (this, following) if this[2] < 0.0 else (following, this)
+            share = wet[2] / (wet[2] - dry[2])  # from the wet end always: neighbours cut at the same point
+            kept.append(np.array([*(wet[:2] + share * (dry[:2] - wet[:2])), 0.0]))
     return np.array(kept)
 
 
@@ -73,7 +74,7 @@ def checked_mesh(vertices: object, faces: object) -> tuple[tuple, tuple]:
             "remove them, for instance by merging close vertices."
         )
     wet_points, wet_faces = _merged(*below_water(points, corners))
-    _check_closed(wet_points, wet_faces)
+    check_closed(wet_points, wet_faces)
     normal = _area_vectors(wet_points, wet_faces)
     volume = float(np.sum(normal[:, 2] * wet_points[wet_faces][..., 2].mean(axis=1)))
     if volume <= 0.0:
@@ -135,15 +136,18 @@ def _area_vectors(points: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return np.cross(c - a, d - b) / 2
 
 
-def _check_closed(points: np.ndarray, faces: np.ndarray) -> None:
-    """Raise `InputError` if the wetted surface has an edge with one face only below the water surface."""
+def check_closed(points: np.ndarray, faces: np.ndarray, tolerance: float = 1e-5) -> None:
+    """Raise `InputError` if a wetted surface has open edges below the water, or faces that disagree.
+
+    Edges that lie no deeper than `tolerance` times the size of the mesh are let pass.
+    """
     pairs = np.concatenate(
         [np.stack([faces[:, k], np.roll(faces, -1, axis=1)[:, k]], axis=1) for k in range(4)]
     )
     pairs = pairs[pairs[:, 0] != pairs[:, 1]]
     edges, inverse, count = np.unique(np.sort(pairs, axis=1), axis=0, return_inverse=True, return_counts=True)
     size = float(np.ptp(points, axis=0).max())
-    under = (points[edges][..., 2] < -1e-5 * size).any(axis=1)
+    under = (points[edges][..., 2] < -tolerance * size).any(axis=1)
     holes = np.flatnonzero((count == 1) & under)
     if holes.size:
         x, y, z = points[edges[holes[0]]].mean(axis=0)

@@ -30,7 +30,7 @@ def delft_372() -> Design:
         ),
         density=1000.0,
         provenance=(
-            published("offsets of one demihull", "24 stations and the stem profile", VEER),
+            published("offsets of one demihull", "23 stations and the profile of the stem", VEER),
             published("length between perpendiculars", "3.00 m (over all 3.11 m)", VEER),
             published("distance between centre planes", "0.70 m", VEER),
             published("draught", "0.15 m, even keel", VEER),
