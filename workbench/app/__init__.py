@@ -1,0 +1,1 @@
+"""The app: a model of traits, jobs, panels that only link, and the page that holds them."""

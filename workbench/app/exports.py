@@ -1,0 +1,78 @@
+"""Files for the reader: CSV with a head that says where the numbers come from, netCDF, TOML, JSON, HTML."""
+
+import io
+import json
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+
+from workbench import __version__, quantities
+from workbench.app.model import Findings
+from workbench.app.reading import Case
+from workbench.cache import with_split_complex
+
+
+def heading_lines(case: Case) -> list[str]:
+    """Lines on version and inputs for the head of a file."""
+    design, condition, sea = case.design, case.condition, case.condition.sea_state
+    lines = [
+        f"workbench {__version__}",
+        f"design: {design.name} {design.title}".rstrip(),
+        f"speed: {condition.speed:.6g} m/s; wave direction: {np.degrees(condition.wave_direction):.6g} deg (180 head seas)",
+        f"sea: {sea.spectrum}, significant wave height {sea.significant_wave_height:.6g} m, peak period "
+        f"{sea.peak_period:.6g} s, spreading exponent {sea.spreading_exponent}",
+    ]
+    if design.wet_deck is not None:
+        lines.append(f"wet-deck clearance: {design.wet_deck.clearance:.6g} m; threshold: {case.threshold} m/s")
+    return lines
+
+
+def csv_file(table: xr.Dataset, case: Case) -> bytes:
+    """Text of a Dataset as CSV; complex values become amplitude and phase [rad]; units stand in the head."""
+    plain = table.copy()
+    units = []
+    for name in list(table.variables):
+        unit = quantities.TABLE[str(name)].units if str(name) in quantities.TABLE else table[name].attrs.get("units", "")
+        if np.iscomplexobj(table[name]):
+            plain[f"{name}_amplitude"] = np.abs(table[name])
+            plain[f"{name}_phase"] = xr.apply_ufunc(np.angle, table[name])
+            plain = plain.drop_vars(str(name))
+            units += [f"{name}_amplitude [{unit}]", f"{name}_phase [rad]"]
+        else:
+            units.append(f"{name} [{unit}]")
+    stream = io.StringIO()
+    for line in (*heading_lines(case), f"method: {table.attrs.get('method', '')}", "units: " + ", ".join(units)):
+        stream.write(f"# {line}\n")
+    for line in quantities.warnings_of(table):
+        stream.write(f"# note: {line}\n")
+    plain.to_dataframe().to_csv(stream, float_format="%.8g")
+    return stream.getvalue().encode()
+
+
+def netcdf_file(table: xr.Dataset, case: Case) -> bytes:
+    """Bytes of a Dataset as netCDF; complex values have a last dimension of real and imaginary part."""
+    split = with_split_complex(table)
+    split.attrs = {**split.attrs, "inputs": "\n".join(heading_lines(case))}
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "table.nc"
+        split.to_netcdf(path)
+        return path.read_bytes()
+
+
+def inputs_file(state: dict) -> bytes:
+    """Text of the inputs of the page as JSON."""
+    return json.dumps({"workbench": __version__, **state}, indent=1, ensure_ascii=False, allow_nan=False).encode()
+
+
+def motion_table(found: Findings) -> xr.Dataset:
+    """Motions at all computed headings."""
+    return found.ship.motions
+
+
+def slamming_table(found: Findings) -> xr.Dataset:
+    """Statistics and moments at all points of the deck, with its height."""
+    merged = found.slam.statistics.merge(found.slam.moments).merge(found.slam.deck)
+    merged.attrs = dict(found.slam.statistics.attrs)
+    return merged

@@ -1,0 +1,183 @@
+"""The state of one page: inputs in the user's units, what is wrong with them, and results. Traits alone, no widgets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import traitlets
+import xarray as xr
+
+from workbench.app.inputs import inputs_for
+from workbench.app.reading import Case, Problems, case_of, changed_inputs, inputs_of, uploaded_design, usual_inputs
+from workbench.app.verdict import verdict
+from workbench.design import Design
+from workbench.errors import InputError
+from workbench.files import design_to_toml
+from workbench.hulls import library
+
+if TYPE_CHECKING:
+    from workbench.pipeline import Response, Slamming
+
+FIRST_DESIGN = "austal-63"
+LOADED = "loaded"
+ALIKE = 1.5
+"""Ratio of lengths up to which another design keeps speed and sea."""
+
+
+@dataclass(frozen=True, eq=False)
+class Findings:
+    """Closed-form results of a case."""
+
+    case: Case
+    ship: Response
+    relative: xr.Dataset | None
+    slam: Slamming | None
+    curve: xr.Dataset | None
+
+
+@dataclass(frozen=True, eq=False)
+class Counted:
+    """Slams counted in a realisation of a case."""
+
+    key: tuple
+    findings: Findings
+    events: xr.Dataset
+    counts: xr.Dataset
+
+
+class Model(traitlets.HasTraits):
+    """Everything that one page knows.
+
+    Attributes
+    ----------
+    design_name : of the library, or 'loaded'; base : the design as chosen or loaded, before any change on the page.
+    inputs : name to value, in the units of the labels (numbers may still be text while they are typed).
+    problems : name of a control to the sentence why it cannot be used; empty when all can.
+    notice : a sentence about what was done for the reader.
+    findings, counted, scene : the newest results, which may be out of date.
+    """
+
+    design_name = traitlets.Unicode(FIRST_DESIGN)
+    base = traitlets.Instance(Design, allow_none=True)
+    inputs = traitlets.Dict()
+    problems = traitlets.Dict()
+    notice = traitlets.Unicode("")
+    findings = traitlets.Instance(Findings, allow_none=True)
+    counted = traitlets.Instance(Counted, allow_none=True)
+    scene = traitlets.Any(None, allow_none=True)
+    scene_key = traitlets.Any(None, allow_none=True)
+
+    def __init__(self, design_name: str = FIRST_DESIGN) -> None:
+        super().__init__()
+        self.choose(design_name)
+
+    def choose(self, name: str) -> None:
+        """Take a design of the library, as it stands there."""
+        self._take(name, library.design(name))
+
+    def load(self, text: str) -> None:
+        """Take a design from the text of a TOML file; a refused one is a problem, and nothing changes."""
+        try:
+            self._take(LOADED, uploaded_design(text))
+        except InputError as error:
+            self.problems = {**self.problems, "design": str(error)}
+
+    def _take(self, name: str, design: Design) -> None:
+        former = self.base
+        inputs = dict(self.inputs)
+        notice = ""
+        ratio = design.hull.length / former.hull.length if former else 0.0
+        if not 1 / ALIKE < ratio < ALIKE:
+            inputs = {**{key: inputs[key] for key in inputs if key in ("criterion", "law", "hours", "seed")}}
+            inputs = usual_inputs(design) | inputs
+            if former:
+                notice = f"Speed and sea were set to suit a ship of {design.hull.length:.3g} m."
+        own = {one.name for one in inputs_for(design)}
+        kept = {key: value for key, value in inputs.items() if key in own}
+        with self.hold_trait_notifications():
+            self.base = design
+            self.design_name = name
+            self.notice = notice
+            self.problems = {}
+            self.inputs = kept | inputs_of(design)
+
+    def change(self, name: str, value: Any) -> None:
+        """Change one input, with what goes with it."""
+        if name == "design":
+            self.choose(str(value))
+            return
+        if name not in self.inputs or not isinstance(value, int | float | str):
+            return
+        self.notice = ""
+        self.inputs = changed_inputs(self.inputs, name, value)
+
+    def restore_design(self) -> None:
+        """Undo all changes to the design, not to condition and criterion."""
+        self.inputs = self.inputs | inputs_of(self.base)
+
+    def case(self) -> Case | None:
+        """Return the case of the present inputs, or None after setting ``problems``."""
+        try:
+            found = case_of(self.base, dict(self.inputs))
+        except Problems as error:
+            self.problems = dict(error.sentences)
+            return None
+        if self.problems:
+            self.problems = {}
+        return found
+
+    @property
+    def blockers(self) -> tuple[str, ...]:
+        """Sentences why nothing can be computed from the present inputs."""
+        return tuple(dict.fromkeys(self.problems.values()))
+
+    def state(self) -> dict[str, Any]:
+        """Return all that is needed to open this page again, as plain values."""
+        loaded = design_to_toml(self.base) if self.design_name == LOADED else ""
+        return {"design": self.design_name, "toml": loaded, "inputs": dict(self.inputs)}
+
+    def restore(self, state: dict[str, Any]) -> list[str]:
+        """Open a page again; returns sentences about what of the state could not be used."""
+        ignored = []
+        name, text = state.get("design", self.design_name), state.get("toml", "")
+        try:
+            if name == LOADED and isinstance(text, str) and text:
+                self._take(LOADED, uploaded_design(text))
+            elif name != LOADED:
+                self._take(str(name), library.design(str(name)))
+        except InputError as error:
+            ignored.append(str(error))
+        known = {one.name: one for one in inputs_for(self.base)}
+        given = state.get("inputs", {})
+        usable = {}
+        for key, value in given.items() if isinstance(given, dict) else ():
+            control = known.get(key)
+            allowed = control and (control.kind != "choice" or value in {choice for choice, _ in control.choices})
+            if not allowed or isinstance(value, bool) or not isinstance(value, int | float | str):
+                ignored.append(f"{key} = {value!r} is not an input of this page.")
+            else:
+                usable[key] = value
+        self.inputs = self.inputs | usable
+        return ignored
+
+    def verdict(self) -> str:
+        """Return the sentence on the present findings."""
+        found = self.findings
+        if found is None:
+            return ""
+        if found.slam is None:
+            return f"{found.case.design.title or found.case.design.name} has no wet deck; its motions are shown."
+        slam = found.slam
+        worst = slam.statistics.isel(slam.worst_point)
+        return verdict(
+            speed_knots=round(slam.condition.speed * 3600 / 1852, 6),
+            significant_wave_height=slam.condition.sea_state.significant_wave_height,
+            heading_degrees=float(np.degrees(slam.condition.wave_direction)),
+            slams_per_hour=float(worst.slams_per_hour),
+            distance_from_fore_end=found.case.design.wet_deck.fore - float(worst.x),
+            clearance=slam.clearance,
+            least_clearance=slam.least_clearance,
+            criterion_per_hour=slam.criterion_per_hour,
+        )

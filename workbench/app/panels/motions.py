@@ -1,0 +1,87 @@
+"""Motions: response in regular waves, and statistics in the sea."""
+
+import numpy as np
+
+from workbench import quantities
+from workbench.app.panels.panel import Drawing, Panel, card, grid, table
+from workbench.conventions import MODES, ROTATIONS
+from workbench.figures import motions as figures
+from workbench.motions import lead_over_wave
+
+WHAT = [["three", "heave, roll and pitch, with phases"], ["six", "all six motions"]]
+
+
+class MotionsPanel(Panel):
+    """Motions per wave amplitude, and their standard deviations."""
+
+    title = "Motions"
+
+    def build(self):
+        """Make the figure and the table."""
+        axes = [[name, name] for name in figures.ABSCISSAE]
+        self.rao = self.view(
+            "Motions per metre of wave amplitude", "motions", wide=True,
+            choices=[["what", "Motions shown", WHAT], ["over", "Drawn over", [["", ""]]]],
+        )  # fmt: skip
+        self.rao.choices = [["what", "Motions shown", WHAT], ["over", "Drawn over", [[a, f"over {b}"] for a, b in axes]]]
+        self.rao.chosen = {"what": "three", "over": "wave frequency"}
+        self.drawings = [Drawing(self.rao, self._key, self._figure, self._words, self._notes)]
+        self.statistics = card()
+        self.statistics.add_class("wb-wide")
+        return [grid(self.rao, self.statistics)]
+
+    def _key(self):
+        found = self.model.findings
+        chosen = self.rao.chosen
+        return found and (found.ship, found.case.condition.wave_direction, chosen["what"], chosen["over"])
+
+    def _figure(self):
+        found = self.model.findings
+        ship, chosen = found.ship, self.rao.chosen
+        others = {
+            "wave_direction": found.case.condition.wave_direction, "length": ship.design.hull.length,
+            "abscissa": chosen["over"],
+        }  # fmt: skip
+        if chosen["what"] == "six":
+            return figures.six_motions_figure(ship.motions, **others)
+        return figures.motions_figure(ship.motions, lead_over_wave(ship.motions), **others)
+
+    def _words(self):
+        found = self.model.findings
+        heading = np.degrees(found.case.condition.wave_direction)
+        return f"Motions per wave amplitude over {self.rao.chosen['over']}, heading {heading:.0f} degrees."
+
+    def _notes(self):
+        sign = "Phases lead the wave elevation at the centre of gravity; pitch is positive bow down."
+        return (sign, *quantities.warnings_of(self.model.findings.ship.motions))
+
+    def refresh(self, is_current: bool) -> None:
+        """Fill the table of statistics."""
+        found = self.model.findings
+        if found is None or not hasattr(self, "statistics"):
+            return
+        (self.statistics.remove_class if is_current else self.statistics.add_class)("wb-is-old")
+        if found.slam is None:
+            return
+        values = found.slam.motion_statistics
+        rows = []
+        for index, mode in enumerate(MODES):
+            turn = mode in ROTATIONS
+            factor, unit = (180 / np.pi, "deg") if turn else (1.0, "m")
+            cells = [values[name].values[index] * factor for name in ("motion_std", "velocity_std", "acceleration_std")]
+            ends = (unit, f"{unit}/s", f"{unit}/s²")
+            rows.append(
+                (
+                    mode,
+                    *(f"{cell:.3g} {end}" for cell, end in zip(cells, ends, strict=True)),
+                    f"{4 * cells[0]:.3g} {unit}",
+                )
+            )
+        self.statistics.value = table(
+            "Motions in this sea", ("at the centre of gravity", "motion σ", "velocity σ", "acceleration σ", "significant double amplitude 4σ"),
+            rows, "σ: standard deviation.",
+        )  # fmt: skip
+
+    def reason(self) -> str:
+        """Say why there is nothing to show."""
+        return "" if self.model.findings else "The motions are being computed."

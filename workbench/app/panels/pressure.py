@@ -1,0 +1,125 @@
+"""Pressure: what to expect over the deck, and what the slams of a realisation gave."""
+
+import numpy as np
+import xarray as xr
+
+from workbench import quantities
+from workbench.app.panels.panel import Drawing, grid
+from workbench.app.panels.slamming import SlammingPanel
+from workbench.figures.deck_plan import deck_plan_figure
+from workbench.figures.pressure import pressure_histogram_figure
+from workbench.figures.style import message_figure
+
+RANKS = 5
+"""Number of counted slams, hardest first, that can be looked at."""
+
+
+def slam_groups(events: xr.Dataset, gap: float, ranks: int = RANKS) -> list[np.ndarray]:
+    """Indices of the entries that belong to the hardest slams, hardest slam first.
+
+    Parameters
+    ----------
+    events : in time order, with ``event_time`` and ``peak_pressure`` (event).
+    gap : entries nearer to each other in time than this are one slam [s].
+    """
+    times = events.event_time.values
+    if times.size == 0:
+        return []
+    groups = np.split(np.arange(times.size), np.flatnonzero(np.diff(times) > gap) + 1)
+    pressures = events.peak_pressure.values
+    return sorted(groups, key=lambda group: -pressures[group].max())[:ranks]
+
+
+def slam_pressure(events: xr.Dataset, group: np.ndarray, deck: xr.Dataset) -> xr.DataArray:
+    """Largest peak pressure of one slam at every point of the deck (x, y) [Pa]."""
+    own = events.isel(event=group)
+    field = np.zeros(deck.height.shape)
+    rows = np.searchsorted(deck.x.values, own.event_x.values)
+    columns = np.searchsorted(deck.y.values, own.event_y.values)
+    np.maximum.at(field, (rows, columns), own.peak_pressure.values)
+    return xr.DataArray(
+        field, coords={"x": deck.x, "y": deck.y}, dims=("x", "y"), attrs=quantities.attributes("peak_pressure")
+    )
+
+
+class PressurePanel(SlammingPanel):
+    """Peak pressures, expected and counted."""
+
+    title = "Pressure"
+    needs_counts = True
+
+    def build(self):
+        """Make the figures."""
+        ranks = [["0", "the hardest slam"], *[[str(n), f"slam number {n + 1}"] for n in range(1, RANKS)]]
+        self.expected = self.view("Largest peak pressure to expect", "expected-pressure", wide=True)
+        self.event = self.view(
+            "One slam that was counted", "slam-pressure", wide=True, choices=[["rank", "Slam shown", ranks]],
+            chosen={"rank": "0"},
+        )  # fmt: skip
+        self.histogram = self.view("All entries that were counted", "pressure-histogram")
+        self.drawings = [
+            Drawing(self.expected, lambda: self.model.findings, self._expected_figure, self._expected_words, self._plan_notes),
+            Drawing(self.event, self._event_key, self._event_figure, lambda: self._event()[1], self._event_notes),
+            Drawing(self.histogram, self._counted_key, self._histogram_figure, self._histogram_words),
+        ]
+        return [grid(self.expected, self.event, self.histogram)]
+
+    def refresh(self, is_current: bool) -> None:
+        """Have no table."""
+
+    def _expected_figure(self):
+        slam = self.model.findings.slam
+        field = slam.statistics.most_probable_peak_pressure
+        at = np.unravel_index(int(np.argmax(field.values)), field.shape)
+        return deck_plan_figure(
+            field, slam.deck, mark=(float(field.x[at[0]]), float(field.y[at[1]])),
+            mark_label=f"largest: {float(field.max()) / 1e3:.3g} kPa in {slam.hours:g} h",
+            nothing=f"no slam is expected in {slam.hours:g} h",
+        )  # fmt: skip
+
+    def _expected_words(self):
+        slam = self.model.findings.slam
+        top = float(slam.statistics.most_probable_peak_pressure.max()) / 1e3
+        return f"Plan of the deck with the most probable largest peak pressure in {slam.hours:g} h, at most {top:.3g} kPa."
+
+    def _event_key(self):
+        counted = self._counted()
+        return counted and (counted, self.event.chosen["rank"])
+
+    def _event(self):
+        counted, slam = self._counted(), self.model.findings.slam
+        gap = 0.25 * slam.condition.sea_state.peak_period
+        groups = slam_groups(counted.events, gap)
+        rank = int(self.event.chosen["rank"])
+        if rank >= len(groups):
+            return None, "Fewer slams than that were counted in this realisation."
+        group = groups[rank]
+        field = slam_pressure(counted.events, group, slam.deck)
+        hardest = counted.events.isel(event=group[int(np.argmax(counted.events.peak_pressure.values[group]))])
+        words = (
+            f"{len(group)} entries about {float(hardest.event_time):.1f} s; the hardest, at x {float(hardest.event_x):.3g} m, "
+            f"y {float(hardest.event_y):.3g} m, enters at {float(hardest.entry_velocity):.3g} m/s and "
+            f"{np.degrees(float(hardest.entry_angle)):.2g} degrees and reaches {float(hardest.peak_pressure) / 1e3:.3g} kPa."
+        )
+        return (field, hardest), words
+
+    def _event_figure(self):
+        found, words = self._event()
+        if found is None:
+            return message_figure(words, (9.7, 1.6))
+        field, hardest = found
+        return deck_plan_figure(
+            field, self.model.findings.slam.deck, mark=(float(hardest.event_x), float(hardest.event_y)),
+            mark_label=f"hardest: {float(hardest.peak_pressure) / 1e3:.3g} kPa",
+        )  # fmt: skip
+
+    def _event_notes(self):
+        return (self._event()[1],)
+
+    def _histogram_figure(self):
+        slam = self.model.findings.slam
+        expected = float(slam.statistics.most_probable_peak_pressure.max())
+        return pressure_histogram_figure(self._counted().events, expected_peak=expected, hours=slam.hours)
+
+    def _histogram_words(self):
+        return f"Histogram of the peak pressures of {self._counted().events.sizes['event']} entries."

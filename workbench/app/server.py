@@ -1,0 +1,102 @@
+"""Serves the page by Voila, and the notebooks by JupyterLab: the settings, and nothing of the page itself."""
+
+import os
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+from workbench.errors import InputError, checked_number
+
+HERE = Path(__file__).parent
+TEMPLATE_FOLDER = HERE / "voila_template"
+NOTEBOOK = "workbench.ipynb"
+POOL_SIZE = 2
+IDLE_SECONDS, CULL_INTERVAL = 900, 60
+LABEXTENSIONS = ("@jupyter-widgets/jupyterlab-manager", "@voila-dashboards/widgets-manager8", "anywidget")
+
+
+def notebook_path() -> Path:
+    """Path of the notebook that is the page: in the package, or in the project folder beside it."""
+    for folder in (HERE, HERE.parents[1] / "notebooks"):
+        if (folder / NOTEBOOK).exists():
+            return folder / NOTEBOOK
+    raise InputError(f"{NOTEBOOK} must be in the package or in the notebooks folder, it is in neither; install again.")
+
+
+def free_port(port: int, ip: str = "127.0.0.1") -> int:
+    """Return the port if it is free, or any free one for 0; a busy port is refused."""
+    port = int(checked_number("port", port, at_least=0, at_most=65535))
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind((ip, port))
+        except OSError:
+            raise InputError(f"port must be free, {port} is in use; give another, or 0 for any free one.") from None
+        return int(probe.getsockname()[1])
+
+
+def voila_arguments(port: int, open_browser: bool, pool_size: int = POOL_SIZE) -> list[str]:
+    """Arguments of Voila for the page at a port that is free.
+
+    Warm kernels wait for readers; a kernel is ended when its page has been closed
+    for 15 minutes, never under an open page; the reader can change neither
+    template nor theme, and sees no source.
+    """
+    path = notebook_path()
+    pool = {path.name: {"pool_size": pool_size, "kernel_env_variables": {"OMP_NUM_THREADS": "1"}}, "default": {"pool_size": 0}}
+    settings: dict[str, object] = {
+        "Voila.port": port,
+        "Voila.ip": "127.0.0.1",
+        "Voila.port_retries": 0,
+        "Voila.open_browser": open_browser,
+        "VoilaConfiguration.template": "workbench",
+        "VoilaConfiguration.preheat_kernel": pool_size > 0,
+        "VoilaConfiguration.default_pool_size": pool_size,
+        "VoilaConfiguration.strip_sources": True,
+        "VoilaConfiguration.show_tracebacks": False,
+        "VoilaConfiguration.allow_template_override": "NO",
+        "VoilaConfiguration.allow_theme_override": "NO",
+        "VoilaConfiguration.extension_allowlist": list(LABEXTENSIONS),
+        "VoilaKernelManager.fill_delay": 0,
+        "VoilaKernelManager.kernel_pools_config": pool,
+        "MappingKernelManager.cull_idle_timeout": IDLE_SECONDS,
+        "MappingKernelManager.cull_interval": CULL_INTERVAL,
+        "MappingKernelManager.cull_connected": False,
+        "VoilaExecutor.timeout": 120,
+    }
+    return [str(path), *(f"--{name}={value}" for name, value in settings.items())]
+
+
+def environment() -> dict[str, str]:
+    """Environment in which Jupyter finds the template of the page, also in a folder that was never installed."""
+    known = [part for part in os.environ.get("JUPYTER_PATH", "").split(os.pathsep) if part]
+    return {
+        **os.environ,
+        "JUPYTER_PATH": os.pathsep.join([str(TEMPLATE_FOLDER), *known]),
+        "OMP_NUM_THREADS": os.environ.get("OMP_NUM_THREADS", "1"),
+        "PYDEVD_DISABLE_FILE_VALIDATION": "1",
+    }
+
+
+def run_app(port: int = 8866, open_browser: bool = True) -> None:
+    """Serve the page until interrupted."""
+    _run(["-m", "voila", *voila_arguments(free_port(port), open_browser)])
+
+
+def run_lab(port: int = 8888, open_browser: bool = True) -> None:
+    """Serve the notebooks by JupyterLab until interrupted."""
+    folder = notebook_path().parent
+    arguments = [f"--ServerApp.port={free_port(port)}", "--ServerApp.port_retries=0", "--ServerApp.ip=127.0.0.1"]
+    arguments += [f"--ServerApp.root_dir={folder}", f"--ServerApp.open_browser={open_browser}"]
+    _run(["-m", "jupyterlab", *arguments])
+
+
+def _run(arguments: list[str]) -> None:
+    """Run a server in the foreground."""
+    try:
+        code = subprocess.run([sys.executable, *arguments], env=environment(), check=False).returncode
+    except KeyboardInterrupt:
+        return
+    if code not in (0, -2, 130):
+        raise SystemExit(code)

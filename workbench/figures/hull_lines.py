@@ -1,0 +1,89 @@
+"""What the ship looks like: body plan, profile and plan, with the wet deck."""
+
+from collections.abc import Sequence
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+
+from workbench.figures import style
+from workbench.geometry.sections import HullSections
+
+STATIONS_DRAWN = 11
+_SKIN = "#c9d6de"
+
+
+def body_plan_figure(sections: HullSections) -> Figure:
+    """Wetted sections of one hull about its own centre plane: fore half to the right, aft half to the left."""
+    aft, fore = sections.x[0], sections.x[-1]
+    middle = (aft + fore) / 2
+    with mpl.rc_context(style.STYLE):
+        figure = style.blank_figure()
+        axes = style.single_axes(figure)
+        for wanted in np.linspace(aft, fore, STATIONS_DRAWN + 2)[1:-1]:
+            row = int(np.argmin(np.abs(sections.x - wanted)))
+            half = sections.y.shape[1] // 2
+            ahead = sections.x[row] >= middle
+            side = slice(half, None) if ahead else slice(None, half + 1)
+            axes.plot(
+                sections.y[row, side] - sections.position[1], sections.z[row, side],
+                color=style.ACCENT if ahead else style.WARM, linestyle="-" if ahead else "--", linewidth=1.3,
+            )  # fmt: skip
+        axes.plot([], [], color=style.WARM, linestyle="--", label="aft half")
+        axes.plot([], [], color=style.ACCENT, linestyle="-", label="fore half")
+        axes.axhline(0, color=style.SOFT, linewidth=1)
+        axes.axvline(0, color=style.SOFT, linewidth=0.6)
+        axes.set_aspect("equal", adjustable="datalim")
+        axes.set_xlabel("distance from the hull's centre plane [m]")
+        axes.set_ylabel("height above still water [m]")
+        axes.legend(loc="lower right")
+        style.grid_behind(axes)
+    return figure
+
+
+def arrangement_figure(
+    vertices: np.ndarray, faces: np.ndarray, deck: xr.Dataset | None, centre_of_gravity: Sequence[float]
+) -> Figure:
+    """Profile above, plan below, of the hulls and the wet deck, to scale.
+
+    Parameters
+    ----------
+    vertices, faces : from `workbench.geometry.sections.surface`.
+    deck : from `workbench.geometry.wet_deck.wet_deck_grid`, or None.
+    centre_of_gravity : (x, y, z) [m].
+    """
+    corners = vertices[faces]
+    with mpl.rc_context(style.STYLE):
+        figure = style.blank_figure((9.7, 4.6))
+        profile, plan = figure.subplots(2, 1, sharex=True)
+        figure.subplots_adjust(left=0.075, right=0.985, top=0.93, bottom=0.115, hspace=0.12)
+        for axes, pair in ((profile, (0, 2)), (plan, (0, 1))):
+            axes.add_collection(
+                PolyCollection(corners[..., pair], facecolor=_SKIN, edgecolor=_SKIN, linewidth=0.4)
+            )
+        length = np.ptp(vertices[:, 0])
+        ends = vertices[:, 0].min() - 0.02 * length, vertices[:, 0].max() + 0.02 * length
+        profile.axhline(0, color=style.ACCENT, linewidth=1.4, label="still water")
+        if deck is not None:
+            x, height = deck.x.values, deck.height.values
+            profile.fill_between(
+                x, height.min(axis=1), height.max(axis=1) + 0.004 * length, color=style.WARM, label="wet deck"
+            )
+            step_x, step_y = x[1] - x[0], deck.y.values[1] - deck.y.values[0]
+            left, right = x[0] - step_x / 2, x[-1] + step_x / 2
+            half = deck.y.values[-1] + step_y / 2
+            plan.fill([left, right, right, left], [-half, -half, half, half], color=style.WARM, alpha=0.25, linewidth=0)
+            plan.plot([left, right, right, left, left], [-half, -half, half, half, -half], color=style.WARM, linewidth=1.2)
+        x_g, y_g, z_g = centre_of_gravity
+        for axes, at in ((profile, z_g), (plan, y_g)):
+            axes.plot(x_g, at, marker="P", color=style.INK, linestyle="", markersize=8, label="centre of gravity")
+            axes.set_aspect("equal", adjustable="datalim")
+            style.grid_behind(axes)
+        plan.set_xlim(*ends)
+        profile.set_ylabel("$z$ [m]")
+        plan.set_ylabel("$y$, to port [m]")
+        plan.set_xlabel("$x$, forward of amidships [m]  (bow to the right)")
+        profile.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.1)
+    return figure

@@ -1,0 +1,44 @@
+"""How hard: peak pressures of the slams of a realisation."""
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from workbench.figures import style
+
+BINS = 24
+
+
+def pressure_histogram_figure(events: xr.Dataset, *, expected_peak: float, hours: float) -> Figure:
+    """Histogram of the peak pressures of all entries, with the most probable largest of the worst point.
+
+    Parameters
+    ----------
+    events : with ``peak_pressure`` (event) [Pa].
+    expected_peak : most probable largest peak pressure [Pa]; hours : in which it is expected [h].
+    """
+    pressures = events.peak_pressure.values / 1e3
+    if pressures.size == 0:
+        return style.message_figure("No slam was counted in this realisation.")
+    top = style.rounded_up(max(float(pressures.max()), expected_peak / 1e3))
+    with mpl.rc_context(style.STYLE):
+        figure = style.blank_figure()
+        axes = style.single_axes(figure)
+        axes.hist(pressures, bins=np.linspace(0, top, BINS + 1), color=style.ACCENT, edgecolor="white", linewidth=0.6)
+        axes.axvline(
+            pressures.max(), color=style.INK, linestyle=":", linewidth=1.8, label=f"largest counted {pressures.max():.3g} kPa"
+        )
+        if expected_peak > 0:
+            axes.axvline(
+                expected_peak / 1e3, color=style.WARM, linestyle="--", linewidth=1.8,
+                label=f"most probable in {hours:g} h {expected_peak / 1e3:.3g} kPa",
+            )  # fmt: skip
+        axes.set_yscale("log")
+        axes.set_ylim(bottom=0.7)
+        axes.set_xlim(0, top)
+        axes.set_xlabel("peak pressure of an entry [kPa]")
+        axes.set_ylabel("number of entries [-]")
+        axes.legend(loc="upper right")
+        style.grid_behind(axes)
+    return figure
