@@ -79,7 +79,7 @@ def scene_description(
         small angles, pitch positive bow down.
     hull_vertices : (n_v, 3), surface of all hulls up to their depth, in ship axes [m].
     hull_faces : (n_f, 4), vertex numbers; a triangle repeats one.
-    x, y : (n_x,) and (n_y,), rising, the points of the wet deck [m].
+    x, y : (n_x,) and (n_y,), rising, at least two each: centres of the cells of the wet deck [m].
     deck_height : (n_x, n_y), height of the wet deck above still water, ship at rest [m].
     water : ``elevation`` (n_t, n_sea_x, n_sea_y) [m] with ``sea_x``, ``sea_y`` [m]; or
         ``component_amplitude`` [m], ``component_frequency`` [rad/s], ``component_kx``,
@@ -145,6 +145,11 @@ def checked_scene(scene: xr.Dataset) -> xr.Dataset:
     for name in _COORDINATES:
         if name in scene and (np.diff(scene[name].values) <= 0).any():
             raise InputError(f"The scene's {name} must rise from each value to the next; sort it.")
+    for name in ("x", "y"):
+        if scene.sizes[name] < 2:
+            raise InputError(
+                f"The wet deck of a scene needs at least 2 points along {name}, got 1; add points."
+            )
     _check_time(scene["time"].values)
     faces = scene["hull_faces"].values
     if faces.size and (faces.min() < 0 or faces.max() >= scene.sizes["vertex"]):

@@ -49,8 +49,9 @@ class ScenePainting:
         self._add_sea(length)
 
     def _add_deck(self, camera: str) -> None:
-        x, y = np.meshgrid(self.scene["x"].values, self.scene["y"].values, indexing="ij")
-        self.deck = pyvista.StructuredGrid(x, y, self.scene["deck_height"].values)
+        x, y = (_reached(self.scene[name].values) for name in ("x", "y"))
+        x, y = np.meshgrid(x, y, indexing="ij")
+        self.deck = pyvista.StructuredGrid(x, y, np.pad(self.scene["deck_height"].values, 1, mode="edge"))
         if not self.field:
             self.ship.append(self.plotter.add_mesh(self.deck, color="#c3ccd3", lighting=False))
             return
@@ -125,7 +126,7 @@ class ScenePainting:
         before = int(min(index, self.scene.sizes["time"] - 2))
         values = self.scene[self.field].values
         blend = values[before] + (index - before) * (values[before + 1] - values[before])
-        return (blend * self.factor).ravel(order="F")
+        return np.pad(blend * self.factor, 1, mode="edge").ravel(order="F")
 
     def move(self, time: float) -> None:
         """Bring ship, water and deck to this instant [s]."""
@@ -191,6 +192,11 @@ def _plotter(size: tuple[int, int]) -> pyvista.Plotter:
     plotter.set_background(BACKGROUND)
     plotter.enable_anti_aliasing("msaa", multi_samples=4)
     return plotter
+
+
+def _reached(values: np.ndarray) -> np.ndarray:
+    """Centres of cells with the outer edges of the first and the last one."""
+    return np.r_[1.5 * values[0] - 0.5 * values[1], values, 1.5 * values[-1] - 0.5 * values[-2]]
 
 
 def _surface(vertices: np.ndarray, faces: np.ndarray) -> pyvista.PolyData:

@@ -1,9 +1,18 @@
 // The water: a grid displaced in the vertex shader, by a sum of components or between two frames of a film.
 import * as THREE from "three";
 
+const MOST_IN_UNIFORMS = 180; // every WebGL 2 has room for 256 vectors
+
 const VERTEX = /* glsl */ `
   #ifdef COMPONENTS
-    uniform sampler2D table;   // a, kx, ky and the phase at this instant, a texel each
+    // a, kx, ky and the phase at this instant
+    #ifdef IN_UNIFORMS
+      uniform vec4 table[COMPONENTS];
+      #define COMPONENT(j) table[j]
+    #else
+      uniform sampler2D table;
+      #define COMPONENT(j) texelFetch(table, ivec2(j, 0), 0)
+    #endif
   #else
     uniform isampler2D before;
     uniform isampler2D after;
@@ -28,7 +37,7 @@ const VERTEX = /* glsl */ `
     vec2 slope = vec2(0.0);
     #ifdef COMPONENTS
       for (int j = 0; j < COMPONENTS; j++) {
-        vec4 c = texelFetch(table, ivec2(j, 0), 0);
+        vec4 c = COMPONENT(j);
         float angle = c.y * p.x + c.z * p.y + c.w;
         p.z += c.x * cos(angle);
         slope -= c.x * sin(angle) * c.yz;
@@ -95,8 +104,14 @@ export class Sea {
     if (this.components) {
       const count = Math.max(scene.facts.water.count, 1);
       defines.COMPONENTS = count;
-      this.table = new THREE.DataTexture(new Float32Array(4 * count), count, 1, THREE.RGBAFormat, THREE.FloatType);
-      this.uniforms.table = { value: this.table };
+      this.values = new Float32Array(4 * count);
+      if (count <= MOST_IN_UNIFORMS) {
+        defines.IN_UNIFORMS = 1;
+        this.uniforms.table = { value: this.values };
+      } else {
+        this.table = new THREE.DataTexture(this.values, count, 1, THREE.RGBAFormat, THREE.FloatType);
+        this.uniforms.table = { value: this.table };
+      }
     } else {
       const [nx, ny] = scene.facts.water.size;
       const { seaX, seaY } = scene;
@@ -191,13 +206,12 @@ export class Sea {
     this.uniforms.drift.value.x = this.scene.facts.speed * time;
     if (this.components) {
       const { water } = this.scene;
-      const { data } = this.table.image;
       for (let j = 0, k = 0; j < water.length; j += 5, k += 4) {
         const [amplitude, frequency, kx, ky, phase] = water.subarray(j, j + 5);
         // phase reduced here, in double precision: long films stay exact
-        data.set([amplitude, kx, ky, (phase - frequency * time) % (2 * Math.PI)], k);
+        this.values.set([amplitude, kx, ky, (phase - frequency * time) % (2 * Math.PI)], k);
       }
-      this.table.needsUpdate = true;
+      if (this.table) this.table.needsUpdate = true;
       return;
     }
     const wanted = [index, index + 1];

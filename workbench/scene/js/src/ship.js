@@ -144,16 +144,22 @@ export class Ship {
 
   #deck() {
     const { nx, ny, x, y, height } = this.scene.deck;
-    const position = new Float32Array(3 * nx * ny);
-    const uv = new Float32Array(2 * nx * ny);
+    const [mx, my] = [nx + 2, ny + 2]; // points are centres of cells: the deck reaches half a cell further
+    const xs = reached(x);
+    const ys = reached(y);
+    const position = new Float32Array(3 * mx * my);
+    const uv = new Float32Array(2 * mx * my);
     const index = [];
-    for (let i = 0, k = 0; i < nx; i++) {
-      for (let j = 0; j < ny; j++, k++) {
-        position.set([x[i], y[j], height[k]], 3 * k);
-        uv.set([(j + 0.5) / ny, (i + 0.5) / nx], 2 * k);
-        if (i + 1 < nx && j + 1 < ny) index.push(k, k + ny, k + ny + 1, k, k + ny + 1, k + 1);
+    const texel = (i, n) => Math.min(Math.max((i - 0.5) / n, 0), 1);
+    for (let i = 0, k = 0; i < mx; i++) {
+      for (let j = 0; j < my; j++, k++) {
+        const near = Math.min(Math.max(i - 1, 0), nx - 1) * ny + Math.min(Math.max(j - 1, 0), ny - 1);
+        position.set([xs[i], ys[j], height[near]], 3 * k);
+        uv.set([texel(j, ny), texel(i, nx)], 2 * k);
+        if (i + 1 < mx && j + 1 < my) index.push(k, k + my, k + my + 1, k, k + my + 1, k + 1);
       }
     }
+    this.deckPosition = position;
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
     geometry.setAttribute("uv", new THREE.BufferAttribute(uv, 2));
@@ -179,9 +185,9 @@ export class Ship {
   }
 
   #rim() {
-    const { nx, ny, x, y, height } = this.scene.deck;
+    const [nx, ny] = [this.scene.deck.nx + 2, this.scene.deck.ny + 2];
     const points = [];
-    const add = (i, j) => points.push(new THREE.Vector3(x[i], y[j], height[i * ny + j]));
+    const add = (i, j) => points.push(new THREE.Vector3().fromArray(this.deckPosition, 3 * (i * ny + j)));
     for (let i = 0; i < nx; i++) add(i, 0);
     for (let j = 1; j < ny; j++) add(nx - 1, j);
     for (let i = nx - 2; i >= 0; i--) add(i, ny - 1);
@@ -276,6 +282,12 @@ export class Ship {
     this.marks.dispose();
     this.fieldTexture.dispose();
   }
+}
+
+// Coordinates with the outer edges of the first and the last cell.
+function reached(values) {
+  const [a, b] = [values[0], values.at(-1)];
+  return [a - (values[1] - a) / 2, ...values, b + (b - values.at(-2)) / 2];
 }
 
 // Triangles that close the open upper edges of a surface: the decks of the hulls.
