@@ -43,6 +43,7 @@ class ScenePainting:
             )
             for below in (True, False)
         ]
+        self.lift = 0.002 * length * np.array(CAMERAS[camera])
         self._add_deck(camera)
         self._lights()
         _aim(self.plotter, camera, [hull, self.deck], title=scene.attrs.get("title", ""))
@@ -148,7 +149,9 @@ class ScenePainting:
             self.plotter.remove_actor("isolines", render=False)
             return
         actor = self.plotter.add_mesh(lines, color="#33414b", line_width=1.5, lighting=False, name="isolines")
-        actor.user_matrix = _pose_matrix(pose)
+        matrix = _pose_matrix(pose)
+        matrix[:3, 3] += self.lift  # in front of the deck, not within it
+        actor.user_matrix = matrix
 
 
 def paint(order: dict) -> None:

@@ -84,7 +84,7 @@ const FRAGMENT = /* glsl */ `
     float mirror = 0.03 + 0.62 * pow(1.0 - facing, 4.0);
     colour = mix(colour, vec3(0.80, 0.88, 0.93), mirror * above);
     vec3 h = normalize(sun + v);
-    colour += above * 0.30 * pow(clamp(dot(n, h), 0.0, 1.0), 90.0);
+    colour += above * 0.20 * pow(clamp(dot(n, h), 0.0, 1.0), 90.0);
     float fade = 1.0 - smoothstep(0.55, 1.0, vEdge);
     gl_FragColor = vec4(colour, opacity * fade);
   }`;
