@@ -95,6 +95,7 @@ def save_dataset(dataset: xr.Dataset, path: Path, *, single_precision: bool = Fa
         os.close(handle)
         try:
             split.to_netcdf(temporary, encoding=encoding, engine="netcdf4")
+            os.chmod(temporary, 0o644)
             os.replace(temporary, path)
         finally:
             Path(temporary).unlink(missing_ok=True)

@@ -23,6 +23,7 @@ from workbench.geometry.wet_deck import wet_deck_grid
 from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.impact.pressure import PressureLaw
 from workbench.motions import motions
+from workbench.radiation_store import usual_directions
 from workbench.relative_motion import relative_motion
 from workbench.seas import Condition, spreading_weights, wave_spectrum
 from workbench.slamming import criteria, events, extremes, statistics
@@ -30,6 +31,10 @@ from workbench.time_domain import Realisation, relative_amplitudes, wave_compone
 
 DECK_POINTS = (40, 10)
 """Points of the deck grid, lengthwise and across."""
+
+
+FASTEST_TRIAL_ENTRY = 6.3
+"""Largest normal velocity of the slams of USNS Hayes that Chuang's pressures were compared with [m/s]."""
 
 
 def silent(fraction: float, message: str) -> None:
@@ -92,7 +97,7 @@ def response(
     design : hull and masses are used, and the density of its water.
     speed : [m/s].
     wave_directions : [rad]; None takes 0 to 345 degrees by 15, less those in which the ship overtakes waves.
-    omega : wave frequencies [rad/s]; None takes `potential_flow_stage.wave_frequencies`.
+    omega : wave frequencies [rad/s]; None takes `radiation_store.wave_frequencies`.
     settings : of the potential-flow method.
     workers : processes for a new hull; progress : called with fraction and sentence, may raise to cancel.
 
@@ -106,7 +111,7 @@ def response(
     afloat = hydrostatics(design.hull, design.density, design.masses.centre_of_gravity[2])
     notes = equilibrium(design.hull, design.masses, design.density)
     if wave_directions is None:
-        wave_directions = stage.usual_directions(design.hull.length, speed)
+        wave_directions = usual_directions(design.hull.length, speed)
     hydrodynamics, wave_field = stage.hydrodynamics(
         design.hull,
         design.density,
@@ -136,14 +141,12 @@ def deck_response(
     ship: Response,
     wet_deck: WetDeck,
     points: tuple[int, int] = DECK_POINTS,
-    *,
-    velocity: str = "time-derivative",
 ) -> xr.Dataset:
     """Relative motion, velocity and slope per wave amplitude over a deck (omega, wave_direction, x, y).
 
     Depends on the plan of the deck, not on its height.
     """
-    return relative_motion(ship.motions, wet_deck_grid(wet_deck, *points), ship.wave_field, velocity=velocity)
+    return relative_motion(ship.motions, wet_deck_grid(wet_deck, *points), ship.wave_field)
 
 
 def wave_energy(condition: Condition, omega: xr.DataArray, wave_directions: xr.DataArray) -> xr.DataArray:
@@ -216,13 +219,18 @@ def slamming(
     deck = wet_deck_grid(wet_deck, relative.sizes["x"], relative.sizes["y"])
     energy = wave_energy(condition, relative.omega, relative.wave_direction)
     moments = statistics.response_moments(relative, energy)
-    found = statistics.slamming_statistics(moments, deck.height, least_velocity)
+    found = statistics.slamming_statistics(moments, deck.height, least_velocity, law.velocity)
     found["most_probable_entry_velocity"] = extremes.largest_entry_velocity(moments, found, hours)
     found["most_probable_peak_pressure"] = extremes.largest_peak_pressure(
         moments, found, deck, law, ship.design.density, hours
     )
     found["required_height"] = criteria.required_height(moments, criterion_per_hour, least_velocity)
-    notes = (*quantities.warnings_of(found), *law.validity, *_band_notes(energy, condition))
+    notes = (
+        *quantities.warnings_of(found),
+        *law.validity,
+        *_velocity_notes(law, found),
+        *_band_notes(energy, condition),
+    )
     found.attrs["warnings"] = "\n".join(dict.fromkeys(notes))
     found.attrs["speed"] = ship.speed
     found.attrs["froude_number"] = float(froude_number(ship.speed, ship.design.hull.length))
@@ -240,6 +248,17 @@ def slamming(
         least_clearance=criteria.least_clearance(
             moments, deck.height, wet_deck.clearance, criterion_per_hour, least_velocity
         ),
+    )
+
+
+def _velocity_notes(law: PressureLaw, found: xr.Dataset) -> tuple[str, ...]:
+    """Say so where entries are faster than in the trials behind Chuang's line."""
+    fastest = float(found.most_probable_entry_velocity.max())
+    if not law.name.startswith("chuang") or fastest <= FASTEST_TRIAL_ENTRY:
+        return ()
+    return (
+        f"The hardest entries, {fastest:.1f} m/s, are faster than the {FASTEST_TRIAL_ENTRY} m/s of the full-scale trials "
+        "that Chuang's pressures were compared with.",
     )
 
 
@@ -281,6 +300,7 @@ def counted_slams(
         threshold=slam.threshold,
         law=slam.law,
         density=ship.design.density,
+        drift=ship.speed if slam.law.velocity == "material" else 0.0,
     )
     found.attrs["seed"] = int(realisation.seed)
     return found, events.counts(found, slam.deck)

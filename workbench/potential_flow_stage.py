@@ -1,53 +1,29 @@
-"""The potential-flow stage of the pipeline: which panels, frequencies and headings, and what is kept on disk."""
+"""The potential-flow stage of the pipeline: hydrodynamics at speed, and the waves under the deck at rest."""
 
-from collections import OrderedDict
 from collections.abc import Callable, Sequence
 
 import numpy as np
 import xarray as xr
 
-from workbench import cache
+from workbench import cache, quantities
 from workbench.conventions import GRAVITY, MODES, encounter_frequency, wavenumber
 from workbench.design import Hull
 from workbench.errors import InputError
-from workbench.geometry.panels import Panels, hull_panels, hull_positions, lid_panels, panels, tunnel_lid
+from workbench.geometry.faceted import Panels
+from workbench.geometry.panels import lid_panels, panels
 from workbench.hydrodynamics import forward_speed, potential_flow
 from workbench.hydrodynamics.forward_speed import RadiatingBody
-from workbench.hydrodynamics.radiation import RadiationProblem, radiation
 from workbench.hydrodynamics.settings import PotentialFlowSettings, validity_warnings
-from workbench import quantities
-
-STAGE_VERSION = 1
-FREQUENCIES = 48
-LONGEST_WAVE, SHORTEST_WAVE = 100.0, 1 / 8
-"""Longest and shortest wave of the usual frequencies, in ship lengths [-]."""
+from workbench.radiation_store import (
+    STAGE_VERSION,
+    encounter_nodes,
+    folded,
+    radiation_tasks,
+    usual_field_directions,
+    wave_frequencies,
+)
 
 _MOST_NODES = 120
-_FIELD_POINTS = (25, 7)
-_memo: OrderedDict[str, xr.Dataset] = OrderedDict()
-_MEMO_SIZE = 12
-
-
-def usual_directions(length: float, speed: float) -> np.ndarray:
-    """Wave directions 0 to 345 degrees by 15 [rad], less those in which the ship overtakes some of the waves."""
-    directions = np.radians(np.arange(0, 360, 15))
-    highest = np.sqrt(2 * np.pi * GRAVITY / (SHORTEST_WAVE * length))
-    allowed = encounter_frequency(highest, speed, directions) > 0.02 * highest
-    return directions[allowed]
-
-
-def wave_frequencies(length: float, highest: float = np.inf) -> np.ndarray:
-    """Usual wave frequencies [rad/s]: evenly spaced from waves of 100 ship lengths to 1/8 (or to ``highest``)."""
-    top = min(np.sqrt(2 * np.pi * GRAVITY / (SHORTEST_WAVE * length)), highest)
-    bottom = np.sqrt(2 * np.pi * GRAVITY / (LONGEST_WAVE * length))
-    return np.linspace(bottom, top, FREQUENCIES)
-
-
-def encounter_nodes(omega: np.ndarray, highest: float) -> np.ndarray:
-    """Encounter frequencies at which the potentials are solved: the wave frequencies, continued to ``highest``."""
-    step = omega[-1] - omega[-2]
-    more = np.arange(omega[-1] + step, highest, step)
-    return np.concatenate([omega, more])
 
 
 def hydrodynamics(
@@ -95,14 +71,14 @@ def hydrodynamics(
     )
     at_rest = speed == 0
     with_field = at_rest and together and hull.count > 1 and settings.wave_field != "incident"
-    folded = _folded(directions) if wetted.mirrored else directions
+    sides = folded(directions) if wetted.mirrored else directions
     field_directions: Sequence[float] = ()
     if with_field:
-        usual_ones = usual_directions(hull.length, 0.0)
-        usual_ones = np.unique(_folded(usual_ones)) if wetted.mirrored else usual_ones
-        covered = np.all(np.abs(folded[:, None] - usual_ones).min(axis=1) < 1e-6)
-        field_directions = usual_ones if usual and covered else np.unique(folded)
-    bodies = _bodies(hull, settings, together, wetted, nodes, field_directions, workers, progress)
+        usual_ones = usual_field_directions(hull.length, wetted.mirrored)
+        covered = np.all(np.abs(sides[:, None] - usual_ones).min(axis=1) < 1e-6)
+        field_directions = usual_ones if usual and covered else np.unique(sides)
+    tasks = radiation_tasks(hull, settings, together, nodes, field_directions)
+    bodies = [RadiatingBody(task.stored(workers, progress), x, y) for task, x, y in tasks]
     found = forward_speed.hydrodynamics(bodies, omega, directions, speed, density, warnings=notes)
     if not with_field:
         if settings.wave_field == "total":
@@ -111,20 +87,15 @@ def hydrodynamics(
                 "waves under the deck are computed for the ship at rest with hull interaction."
             )
         return found, None
-    return found, _field_at(bodies[0].radiation, omega, directions, folded)
-
-
-def _folded(directions: np.ndarray) -> np.ndarray:
-    """Directions of a ship that is alike on both sides, mirrored into 0 to pi [rad]."""
-    return np.round(np.abs(np.angle(np.exp(1j * directions))), 12)
+    return found, _field_at(bodies[0].radiation, omega, directions, sides)
 
 
 def _field_at(
-    solved: xr.Dataset, omega: np.ndarray, directions: np.ndarray, folded: np.ndarray
+    solved: xr.Dataset, omega: np.ndarray, directions: np.ndarray, sides: np.ndarray
 ) -> xr.Dataset:
     """Return the scattered waves at the wanted frequencies and directions, mirrored where the direction was."""
     rows = [int(np.argmin(np.abs(solved.encounter_omega.values[:-1] - value))) for value in omega]
-    columns = [int(np.argmin(np.abs(solved.wave_direction.values - value))) for value in folded]
+    columns = [int(np.argmin(np.abs(solved.wave_direction.values - value))) for value in sides]
     field = solved[["radiated_elevation", "diffracted_elevation"]].isel(
         encounter_omega=rows, wave_direction=columns
     )
@@ -147,93 +118,6 @@ def _check_frequencies(omega: np.ndarray, highest: float, count: int) -> None:
             f"omega must be <= {highest:.3g} rad/s for {count} panels (a wave must be eight panel radii long), got "
             f"{omega.max():.3g} rad/s; lower the highest frequency or ask for more panels."
         )
-
-
-def _problem(
-    hull: Hull, settings: PotentialFlowSettings, wetted: Panels, index: int | None, with_field: bool
-) -> RadiationProblem:
-    """Return what is solved for the whole ship (index None) or for one hull alone."""
-    field_x: tuple[float, ...] = ()
-    field_y: tuple[float, ...] = ()
-    if with_field:
-        reach = 0.55 * hull.length
-        field_x = tuple(np.linspace(-reach, reach, _FIELD_POINTS[0]).tolist())
-        half = 0.9 * (hull.spacing - hull.shape.beam) / 2
-        field_y = tuple(np.linspace(-half, half, _FIELD_POINTS[1]).round(9).tolist())
-    lid = lid_panels(hull, index) if settings.lid else None
-    damping = settings.tunnel_damping if index is None and hull.count > 1 else 0.0
-    return RadiationProblem(
-        panels=wetted,
-        lid=lid,
-        tunnel_lid=tunnel_lid(hull) if damping > 0 else None,
-        tunnel_damping=damping,
-        field_x=field_x,
-        field_y=field_y,
-    )
-
-
-def _bodies(
-    hull: Hull,
-    settings: PotentialFlowSettings,
-    together: bool,
-    wetted: Panels,
-    nodes: np.ndarray,
-    field_directions: Sequence[float],
-    workers: int,
-    progress: Callable[[float, str], None],
-) -> list[RadiatingBody]:
-    """Return the radiating bodies of a hull: all hulls as one, or each alone (alike ones solved once)."""
-    if together:
-        solved = _stored_radiation(hull, settings, wetted, None, nodes, field_directions, workers, progress)
-        return [RadiatingBody(solved)]
-    upright = hull.heel == 0
-    bodies: list[RadiatingBody] = []
-    by_shape: dict[object, xr.Dataset] = {}
-    for index, (x, y) in enumerate(hull_positions(hull)):
-        is_centre = hull.count == 3 and abs(y) < 1e-9
-        alike: object = (is_centre,) if upright else index
-        if alike not in by_shape:
-            own = hull_panels(hull, index, max(50, settings.panels // hull.count))
-            by_shape[alike] = _stored_radiation(hull, settings, own, index, nodes, (), workers, progress)
-        bodies.append(RadiatingBody(by_shape[alike], x, y))
-    return bodies
-
-
-def _stored_radiation(
-    hull: Hull,
-    settings: PotentialFlowSettings,
-    wetted: Panels,
-    index: int | None,
-    nodes: np.ndarray,
-    field_directions: Sequence[float],
-    workers: int,
-    progress: Callable[[float, str], None],
-) -> xr.Dataset:
-    """Return the radiation potentials: from memory, from disk, or solved."""
-    key = cache.content_key(
-        "radiation",
-        STAGE_VERSION,
-        solver=potential_flow.SOLVER_VERSION.split(".")[0],
-        hull=hull.as_dict(),
-        index=index,
-        panels=settings.panels,
-        lid=settings.lid,
-        tunnel_damping=settings.tunnel_damping,
-        encounter_omega=np.round(nodes, 12),
-        field_directions=np.round(field_directions, 9),
-    )
-    if key in _memo:
-        _memo.move_to_end(key)
-        return _memo[key]
-    problem = _problem(hull, settings, wetted, index, len(field_directions) > 0)
-
-    def solved() -> xr.Dataset:
-        return radiation(problem, nodes, field_directions, workers=workers, progress=progress)
-
-    _memo[key] = cache.cached(key, solved)
-    while len(_memo) > _MEMO_SIZE:
-        _memo.popitem(last=False)
-    return _memo[key]
 
 
 def _by_forward_speed_option(

@@ -5,7 +5,9 @@ the ship, ``r = zeta - (heave - x pitch + y roll)`` with lever arms from the shi
 origin; relative velocity is its time derivative there, ``-i omega_e r``. The
 source of the direct method uses the material derivative instead
 ([Grande2002]_ 4.18): ship-surface velocity minus particle velocity, which adds
-``U d/dx`` of both; it is offered as ``velocity="material"``.
+``U d/dx`` of both: `material_velocity`. What closes the gap, and what Chuang's
+kinematics on the wave surface use, is the time derivative; a two-dimensional
+theory of a strip of the deck needs the material one.
 
 .. [Grande2002] K. Grande, "Prediction of slamming occurrence of catamarans", MSc thesis,
     Curtin University of Technology, 2002, 4.2.
@@ -16,10 +18,7 @@ import xarray as xr
 from scipy.interpolate import RegularGridInterpolator
 
 from workbench import quantities
-from workbench.errors import InputError, checked_choice
 from workbench.motions import translation_matrix
-
-VELOCITIES = ("time-derivative", "material")
 
 
 def vertical_motion(motion_rao: np.ndarray, centre_of_gravity, x, y) -> np.ndarray:
@@ -75,8 +74,6 @@ def relative_motion(
     motion_set: xr.Dataset,
     deck: xr.Dataset,
     wave_field: xr.Dataset | None = None,
-    *,
-    velocity: str = "time-derivative",
 ) -> xr.Dataset:
     """Relative motion, velocity and slope at every point of a deck, per wave amplitude.
 
@@ -85,8 +82,6 @@ def relative_motion(
     motion_set : from `workbench.motions.motions`.
     deck : grid with coordinates x, y [m].
     wave_field : diffracted and radiated elevations; None takes the incident wave alone.
-    velocity : "time-derivative" of the relative motion at the ship-fixed point (what
-        closes the gap), or "material" (hull surface minus water particle, [Grande2002]_ 4.18).
 
     Returns
     -------
@@ -99,7 +94,6 @@ def relative_motion(
     Tends to 0 in long waves. The incident wave alone is fair for the fore deck and
     for slender hulls at speed; diffraction and radiation matter aft and at low speed.
     """
-    checked_choice("velocity", velocity, VELOCITIES)
     x, y = np.meshgrid(deck.x.values, deck.y.values, indexing="ij")
     centre = np.asarray(motion_set.attrs["centre_of_gravity"])
     rao = motion_set.motion_rao.values
@@ -117,10 +111,6 @@ def relative_motion(
     rise = incident + scattered - vertical
     slope = along + rao[..., 4, None, None]
     rate = -1j * encounter * rise
-    if velocity == "material":
-        if wave_field is not None:
-            raise InputError("velocity must be time-derivative when the scattered waves are included, got material.")
-        rate = rate - motion_set.attrs["speed"] * slope
     dims = ("omega", "wave_direction", "x", "y")
     return quantities.dataset(
         {
@@ -134,7 +124,6 @@ def relative_motion(
         attrs={
             "speed": motion_set.attrs["speed"],
             "density": motion_set.attrs["density"],
-            "velocity": velocity,
             "waves": "incident" if wave_field is None else "incident, diffracted and radiated",
         },
         relative_motion=(dims, rise),
@@ -142,3 +131,18 @@ def relative_motion(
         relative_slope=(dims, slope),
         encounter_frequency=(("omega", "wave_direction"), motion_set.encounter_frequency.values),
     )
+
+
+def material_velocity(relative: xr.Dataset) -> xr.DataArray:
+    """Relative velocity of hull surface and water particle per wave amplitude, r' - U dr/dx [m/s per m].
+
+    Parameters
+    ----------
+    relative : from `relative_motion`.
+
+    Notes
+    -----
+    [Grande2002]_ 4.18, whose x points aft; a bow-up pitch raises it.
+    """
+    found = relative.relative_velocity - relative.attrs["speed"] * relative.relative_slope
+    return found.assign_attrs(quantities.attributes("relative_velocity"))

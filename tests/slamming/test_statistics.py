@@ -21,7 +21,7 @@ def flat_band(closing_speed=0.0, n=401, slope=0.0):
     rise = np.ones((n, 1, 2, 1), complex) * np.array([1.0, 0.5])[None, None, :, None]
     relative = quantities.dataset(
         {"omega": omega, "wave_direction": [np.pi], "x": [0.0, 1.0], "y": [0.0]},
-        attrs={"density": 1025.0, "velocity": "time-derivative"},
+        attrs={"density": 1025.0, "speed": 3.0},
         relative_motion=(dims, rise),
         relative_velocity=(dims, -1j * met[:, None, None, None] * rise),
         relative_slope=(dims, slope * 1j * rise),
@@ -189,6 +189,25 @@ def test_largest_pressure_with_angles_agrees_with_counted_events():
     for rank in (30, 300, 3000):
         pressure = float(largest_peak_pressure(moments, found, plate, law, 1025.0, hours, exceedance=rank)[0, 0])
         assert pressure == pytest.approx(ordered[rank - 1], rel=0.1), rank
+
+
+def test_material_entry_velocity_agrees_with_counted_events():
+    """Closing velocity less drift over the slope of the water (Grande 2002, 4.18), at its entries."""
+    relative, energy = flat_band(slope=0.1)
+    moments = statistics.response_moments(relative, energy)
+    plate = deck(0.8)
+    found = statistics.slamming_statistics(moments, plate.height, velocity="material")
+    rise, slope, met = random_sea(0.0, 5, slope=0.1)
+    law = PressureLaw(name="panel", coefficient=10.0)
+    events = entries(rise, slope, met, plate, duration=200_000.0, time_step=0.1, drift=3.0, law=law)
+    first = events.event_x.values == 0.0
+    assert float(found.mean_entry_velocity[0, 0]) == pytest.approx(events.entry_velocity.values[first].mean(), rel=0.03)
+    plain = statistics.slamming_statistics(moments, plate.height)
+    assert float(found.mean_entry_velocity[0, 0]) > 1.3 * float(plain.mean_entry_velocity[0, 0])
+    hours = 200_000 / 3600
+    ordered = np.sort(events.peak_pressure.values[first])[::-1]
+    expected = largest_peak_pressure(moments, found, plate, law, 1025.0, hours, exceedance=100)
+    assert float(expected[0, 0]) == pytest.approx(ordered[99], rel=0.06)
 
 
 def test_classes_of_velocity_squared_hold_all_slams():

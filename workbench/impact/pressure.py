@@ -32,12 +32,26 @@ class PressureLaw:
             checked_number("coefficient", self.coefficient, above=0, at_most=1e5, cure="give k of the panel")
 
     @property
+    def velocity(self) -> str:
+        """Kind of entry velocity that the law needs.
+
+        Chuang's kinematics are those of the wave surface passing the deck ("time-derivative");
+        a two-dimensional theory takes hull surface against water particle ("material").
+        """
+        return "time-derivative" if self.name.startswith("chuang") else "material"
+
+    @property
     def validity(self) -> tuple[str, ...]:
         """Sentences about the limits of the law."""
         if self.name == "wagner":
             return (
                 "Wagner's pressure is taken at 3 degrees where the deck meets the water at a smaller angle: air is "
                 "trapped there and the theory does not hold.",
+            )
+        if self.name.startswith("chuang"):
+            return (
+                "Chuang's pressure is the local peak of some milliseconds; averages over a panel of the deck are two to "
+                "six times lower.",
             )
         return ()
 

@@ -30,6 +30,7 @@ def entries(
     threshold: float = 0.0,
     law: PressureLaw | None = None,
     density: float = 1025.0,
+    drift: float = 0.0,
 ) -> xr.Dataset:
     """Every entry of every deck point into the water in a record.
 
@@ -40,8 +41,10 @@ def entries(
     frequency : encounter frequencies of the components [rad/s].
     deck : with ``height``, ``slope_x`` (x, y).
     duration, time_step : [s].
-    threshold : least entry velocity that counts [m/s].
+    threshold : least closing velocity (time derivative) that counts [m/s].
     law, density : pressure law and water density [kg/m3] for the peak pressures.
+    drift : speed of the ship [m/s] if the entry velocity shall be the material one
+        (closing velocity less speed times slope, not below 0); 0 gives the time derivative.
 
     Returns
     -------
@@ -82,6 +85,7 @@ def entries(
     times, point, velocity, water = times[order], point[order], velocity[order], water[order]
     row, column = np.unravel_index(point, shape)
     angle = np.arctan(water - deck.slope_x.values.ravel()[point])
+    velocity = np.maximum(velocity - drift * water, 0.0) if drift else velocity
     pressure = peak_pressure(law or PressureLaw(), velocity, angle, density)
     return quantities.dataset(
         {"event": np.arange(len(times))},

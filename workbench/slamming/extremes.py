@@ -86,9 +86,11 @@ def largest_peak_pressure(
     nodes = np.linspace(-_ANGLE_REACH, _ANGLE_REACH, _ANGLE_STEPS)
     node_weights = np.exp(-(nodes**2) / 2)
     node_weights = node_weights / node_weights.sum()
-    mean_slope = on_motion * deck.height.values + on_velocity * velocity - deck.slope_x.values
+    mean_slope = on_motion * deck.height.values + on_velocity * velocity
     slope = mean_slope + np.sqrt(np.maximum(left, 0.0)) * nodes[:, None, None, None]
-    pressure = peak_pressure(law, velocity, np.arctan(slope), density)
+    if statistics.attrs["velocity"] == "material":
+        velocity = np.maximum(velocity - moments.attrs["speed"] * slope, 0.0)
+    pressure = peak_pressure(law, velocity, np.arctan(slope - deck.slope_x.values), density)
 
     count = expected * share * node_weights[:, None, None, None]
     shape = (-1, *expected.shape)

@@ -14,8 +14,12 @@ from scipy.special import erfcx
 
 from workbench import quantities
 from workbench.conventions import GRAVITY
+from workbench.errors import checked_choice
 
 HOUR = 3600.0
+VELOCITIES = ("time-derivative", "material")
+"""Kinds of entry velocity: of the closing gap, or of hull surface against water particle ([Grande2002]_ 4.18)."""
+
 _VANISHING = 1e-12
 
 
@@ -61,10 +65,6 @@ def response_moments(relative: xr.Dataset, wave_energy: xr.DataArray) -> xr.Data
 
     motion_std = np.sqrt(covariance(rise, rise))
     velocity_std = np.sqrt(covariance(rate, rate))
-    time_derivative_std = velocity_std
-    if relative.attrs["velocity"] == "material":
-        encounter = relative.encounter_frequency.values[:, used, None, None]
-        time_derivative_std = np.sqrt(covariance(encounter * rise, encounter * rise))
     dims = ("x", "y")
     return quantities.dataset(
         {"x": relative.x, "y": relative.y},
@@ -72,6 +72,7 @@ def response_moments(relative: xr.Dataset, wave_energy: xr.DataArray) -> xr.Data
         warnings=quantities.warnings_of(relative),
         attrs={
             "density": relative.attrs["density"],
+            "speed": relative.attrs["speed"],
             "lowest_omega": float(relative.omega.min()),
             "highest_omega": float(relative.omega.max()),
         },
@@ -80,18 +81,21 @@ def response_moments(relative: xr.Dataset, wave_energy: xr.DataArray) -> xr.Data
         relative_slope_std=(dims, np.sqrt(covariance(slope, slope))),
         velocity_slope_covariance=(dims, covariance(rate, slope)),
         motion_slope_covariance=(dims, covariance(rise, slope)),
-        upcrossing_rate=(dims, time_derivative_std / np.maximum(motion_std, _VANISHING) / (2 * np.pi)),
+        upcrossing_rate=(dims, velocity_std / np.maximum(motion_std, _VANISHING) / (2 * np.pi)),
     )
 
 
-def slamming_statistics(moments: xr.Dataset, height: xr.DataArray, threshold: float = 0.0) -> xr.Dataset:
+def slamming_statistics(
+    moments: xr.Dataset, height: xr.DataArray, threshold: float = 0.0, velocity: str = "time-derivative"
+) -> xr.Dataset:
     """Probability and rate of slams, and entry velocity, at every deck point.
 
     Parameters
     ----------
     moments : from `response_moments`.
     height : of the deck above still water (x, y) [m].
-    threshold : least entry velocity that counts [m/s].
+    threshold : least closing velocity (time derivative) that counts [m/s].
+    velocity : kind of entry velocity that is given, one of `VELOCITIES`.
 
     Returns
     -------
@@ -111,18 +115,25 @@ def slamming_statistics(moments: xr.Dataset, height: xr.DataArray, threshold: fl
     is_fast = np.exp(-(threshold**2) / (2 * velocity_std**2))
     probability = reaches_deck * is_fast
     rate = moments.upcrossing_rate.values * probability
+    checked_choice("velocity", velocity, VELOCITIES)
     excess = np.sqrt(np.pi / 2) * velocity_std * erfcx(threshold / (np.sqrt(2) * velocity_std))
+    entry_velocity = threshold + excess
+    if velocity == "material":
+        on_motion = moments.motion_slope_covariance.values / motion_std**2
+        on_velocity = moments.velocity_slope_covariance.values / velocity_std**2
+        mean_slope = on_motion * height.values + on_velocity * entry_velocity
+        entry_velocity = entry_velocity - moments.attrs["speed"] * mean_slope
     dims = ("x", "y")
     return quantities.dataset(
         {"x": moments.x, "y": moments.y},
         method=moments.attrs["method"],
         warnings=quantities.warnings_of(moments),
-        attrs={"threshold_velocity": float(threshold)},
+        attrs={"threshold_velocity": float(threshold), "velocity": velocity},
         slamming_probability=(dims, probability),
         slamming_rate=(dims, rate),
         slams_per_hour=(dims, HOUR * rate),
         slams_per_100_encounters=(dims, 100 * probability),
-        mean_entry_velocity=(dims, threshold + excess),
+        mean_entry_velocity=(dims, entry_velocity),
     )
 
 
