@@ -1,0 +1,1 @@
+"""Verification: cases with a known answer, run by ``workbench verify`` and by the tests."""
