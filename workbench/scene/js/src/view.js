@@ -169,7 +169,7 @@ export function createView(host, source, { height }) {
       time += rate * Math.min(interval, 250) / 1000;
       if (time >= scene.end) time = scene.facts.start;
       if (interval) stage?.adapt(interval);
-      reportTime(now);
+      reportTime(performance.now());
     } else if (!stale) {
       if (stage && quietSince && now - quietSince > SETTLE) {
         quietSince = 0;
