@@ -107,6 +107,11 @@ def test_a_heeled_ship_is_not_mirrored_and_its_low_side_carries_more():
     assert made.volume == pytest.approx(port.volume + starboard.volume, rel=0.01)
 
 
+def test_heel_brings_the_centre_planes_together():
+    hull = Hull(shape=WIGLEY, count=2, spacing=10.0, heel=0.2)
+    assert hull_positions(hull) == ((0.0, 5.0 * np.cos(0.2)), (0.0, -5.0 * np.cos(0.2)))
+
+
 def test_a_trim_by_the_bow_moves_buoyancy_forward():
     assert float(hydrostatics(Hull(shape=WIGLEY, trim=0.02)).centre_of_buoyancy[0]) > 1.0
 

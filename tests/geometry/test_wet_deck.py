@@ -44,6 +44,7 @@ def test_a_plain_deck_is_flat_and_its_cells_fill_it():
         ({"centre_bow_length": 10.0, "centre_bow_depth": 1.0, "centre_bow_width": 4.0}, 15.0, 1.0, 1.5),
         ({"centre_bow_length": 10.0, "centre_bow_depth": 1.0, "centre_bow_width": 4.0}, 8.0, 0.0, 1.5),
         ({"centre_bow_length": 10.0, "centre_bow_depth": 1.0, "centre_bow_width": 4.0}, 5.0, 0.0, 2.0),
+        ({"centre_bow_length": 10.0, "centre_bow_depth": 1.0, "centre_bow_width": 4.0}, 7.0, 0.0, 2 - 7 / 27),
         ({"trim": 0.05}, 10.0, 0.0, 2.0 - 10.0 * math.tan(0.05)),
     ],
 )
