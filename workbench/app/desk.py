@@ -17,7 +17,7 @@ from workbench.app.reading import Case
 from workbench.errors import InputError
 
 WORKERS = 2
-HULL_DELAY, COUNT_DELAY = 0.35, 0.5
+HULL_DELAY, COUNT_DELAY = 0.35, 0.8
 """Pause after the last change before a new hull is solved, and before slams are counted [s]."""
 
 CURVE_POINTS = 81
@@ -162,7 +162,9 @@ class Desk(traitlets.HasTraits):
                 )
                 curve = clearance_curve(slam.moments, slam.deck.height, slam.clearance, reach, slam.threshold)
             else:
-                pipeline.wave_energy(case.condition, self._ship.motions.omega, self._ship.motions.wave_direction)
+                pipeline.wave_energy(
+                    case.condition, self._ship.motions.omega, self._ship.motions.wave_direction
+                )
         except InputError as error:
             self.is_current = False
             name = "heading_degrees" if "direction" in str(error) else "clearance"
@@ -184,7 +186,9 @@ class Desk(traitlets.HasTraits):
         key = (case.counting_key, wants_scene)
         self.count_job.start(key, work, lambda _: self.post(), 0.0 if has_counts else COUNT_DELAY)
 
-    def _counted_work(self, found: Findings, case: Case, has_counts: bool, wants_scene: bool, progress) -> None:
+    def _counted_work(
+        self, found: Findings, case: Case, has_counts: bool, wants_scene: bool, progress
+    ) -> None:
         from workbench import pipeline
 
         realisation = case.realisation
@@ -198,7 +202,9 @@ class Desk(traitlets.HasTraits):
             from workbench.animation import animation_scene
 
             progress(0.8, "Building the animation")
-            scene = animation_scene(found.ship, found.relative, found.slam, self.model.counted.events, realisation)
+            scene = animation_scene(
+                found.ship, found.relative, found.slam, self.model.counted.events, realisation
+            )
             progress(1.0, "built")
             self.model.scene_key = case.counting_key
             self.model.scene = scene

@@ -25,7 +25,9 @@ def heading_lines(case: Case) -> list[str]:
         f"{sea.peak_period:.6g} s, spreading exponent {sea.spreading_exponent}",
     ]
     if design.wet_deck is not None:
-        lines.append(f"wet-deck clearance: {design.wet_deck.clearance:.6g} m; threshold: {case.threshold} m/s")
+        lines.append(
+            f"wet-deck clearance: {design.wet_deck.clearance:.6g} m; threshold: {case.threshold} m/s"
+        )
     return lines
 
 
@@ -34,7 +36,11 @@ def csv_file(table: xr.Dataset, case: Case) -> bytes:
     plain = table.copy()
     units = []
     for name in list(table.variables):
-        unit = quantities.TABLE[str(name)].units if str(name) in quantities.TABLE else table[name].attrs.get("units", "")
+        unit = (
+            quantities.TABLE[str(name)].units
+            if str(name) in quantities.TABLE
+            else table[name].attrs.get("units", "")
+        )
         if np.iscomplexobj(table[name]):
             plain[f"{name}_amplitude"] = np.abs(table[name])
             plain[f"{name}_phase"] = xr.apply_ufunc(np.angle, table[name])
@@ -43,7 +49,11 @@ def csv_file(table: xr.Dataset, case: Case) -> bytes:
         else:
             units.append(f"{name} [{unit}]")
     stream = io.StringIO()
-    for line in (*heading_lines(case), f"method: {table.attrs.get('method', '')}", "units: " + ", ".join(units)):
+    for line in (
+        *heading_lines(case),
+        f"method: {table.attrs.get('method', '')}",
+        "units: " + ", ".join(units),
+    ):
         stream.write(f"# {line}\n")
     for line in quantities.warnings_of(table):
         stream.write(f"# note: {line}\n")
@@ -63,7 +73,9 @@ def netcdf_file(table: xr.Dataset, case: Case) -> bytes:
 
 def inputs_file(state: dict) -> bytes:
     """Text of the inputs of the page as JSON."""
-    return json.dumps({"workbench": __version__, **state}, indent=1, ensure_ascii=False, allow_nan=False).encode()
+    return json.dumps(
+        {"workbench": __version__, **state}, indent=1, ensure_ascii=False, allow_nan=False
+    ).encode()
 
 
 def motion_table(found: Findings) -> xr.Dataset:

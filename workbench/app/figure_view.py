@@ -32,7 +32,10 @@ class FigureView(anywidget.AnyWidget):
     wide = traitlets.Bool(False).tag(sync=True)
 
     def __init__(
-        self, on_choice: Callable[[], None] | None = None, on_save: Callable[["FigureView"], None] | None = None, **values
+        self,
+        on_choice: Callable[[], None] | None = None,
+        on_save: Callable[["FigureView"], None] | None = None,
+        **values,
     ) -> None:
         super().__init__(**values)
         self._on_choice, self._on_save = on_choice, on_save

@@ -135,7 +135,7 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
     found += [
         number("speed_knots", "Speed [kn]", "run", 0, rounded_to(froude), phrases=("speed",)),
         number(
-            "heading_degrees", "Heading [deg], 180 = head seas", "run", 0, 180, step=15.0,
+            "heading_degrees", "Heading [deg]", "run", 0, 180, step=15.0,
             phrases=("wave direction", "wave_direction", "heading", "overtak"),
         ),
         Input(
@@ -149,7 +149,7 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
             ),
         ),
         number(
-            "wave_height", "Significant wave height Hs [m]", "sea", 0.02 * rounded_to(length / 10), rounded_to(length / 8),
+            "wave_height", "Significant height Hs [m]", "sea", 0.02 * rounded_to(length / 10), rounded_to(length / 8),
             phrases=("significant_wave_height",),
         ),
         Input(
@@ -195,7 +195,7 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
             "coefficient", "Coefficient k [-]", "slams", 1, 300, step=1.0, phrases=("coefficient",),
             shown_if=(("law", ("panel",)),),
         ),
-        Input(name="hours", label="Hours, for counts and extremes [h]", group="slams", phrases=("hours",), step=0.5),
+        Input(name="hours", label="Hours of exposure [h]", group="slams", phrases=("hours",), step=0.5),
         Input(name="seed", label="Seed of the realisation [-]", group="slams", phrases=("seed",), step=1),
     ]  # fmt: skip
     if deck is not None:
@@ -244,4 +244,6 @@ def _deck_inputs(design: Design, number) -> list[Input]:
         ("vee_width", "V of the pod: width [m]", 0, deck.width, "vee width"),
         ("corner_radius", "Corner radius [m]", 0, min(deck.width / 2, height), "corner radius"),
     )
-    return [number(name, label, "deck", low, high, phrases=(phrase,)) for name, label, low, high, phrase in rows]
+    return [
+        number(name, label, "deck", low, high, phrases=(phrase,)) for name, label, low, high, phrase in rows
+    ]

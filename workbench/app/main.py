@@ -72,7 +72,9 @@ class Page:
         self._describe_fields()
         self._describe_inputs()
         self.model.observe(self._describe_fields, names=["base"])
-        self.model.observe(self._describe_inputs, names=["inputs", "base", "problems", "notice", "design_name"])
+        self.model.observe(
+            self._describe_inputs, names=["inputs", "base", "problems", "notice", "design_name"]
+        )
         self.model.observe(self.desk.post, names=["inputs", "base"])
         self.model.observe(self._describe_results, names=["findings", "problems"])
         self.desk.observe(self._describe_results, names=["is_current", "error"])
@@ -149,7 +151,9 @@ class Page:
             self.form.changed = changed
         small = {name: inputs[name] for name in PERMALINK if name in inputs and inputs[name] != ""}
         with self.head.hold_sync():
-            self.head.permalink = "" if model.design_name == LOADED else urlencode({"design": model.design_name, **small})
+            self.head.permalink = (
+                "" if model.design_name == LOADED else urlencode({"design": model.design_name, **small})
+            )
             self.head.state = json.dumps(state)
             self.head.remark = model.notice
 
@@ -158,8 +162,10 @@ class Page:
         notes = {}
         try:
             speed = float(inputs["speed_knots"]) * KNOT
-            notes["speed_knots"] = f"Froude number {speed / np.sqrt(GRAVITY * self.model.base.hull.length):.2f}"
-            notes["heading_degrees"] = heading_words(float(inputs["heading_degrees"]))
+            notes["speed_knots"] = (
+                f"Froude number {speed / np.sqrt(GRAVITY * self.model.base.hull.length):.2f}"
+            )
+            notes["heading_degrees"] = f"{heading_words(float(inputs['heading_degrees']))} (0 following, 90 beam, 180 head)"
         except (TypeError, ValueError):
             pass
         return notes
@@ -189,7 +195,11 @@ class Page:
             failed = next((job for job in (hull, count) if job.state == "failed"), None)
             if busy is not None:
                 words = "Solving the waves about the hull" if busy is hull else "Counting slams"
-                head.task = f"{words}: {busy.message}" if busy is hull and busy.message else busy.message or f"{words} …"
+                head.task = (
+                    f"{words}: {busy.message}"
+                    if busy is hull and busy.message
+                    else busy.message or f"{words} …"
+                )
                 head.action = "stop"
             elif failed is not None:
                 head.task, head.action = failed.error, "resume"

@@ -10,7 +10,15 @@ import traitlets
 import xarray as xr
 
 from workbench.app.inputs import inputs_for
-from workbench.app.reading import Case, Problems, case_of, changed_inputs, inputs_of, uploaded_design, usual_inputs
+from workbench.app.reading import (
+    Case,
+    Problems,
+    case_of,
+    changed_inputs,
+    inputs_of,
+    uploaded_design,
+    usual_inputs,
+)
 from workbench.app.verdict import verdict
 from workbench.design import Design
 from workbench.errors import InputError
@@ -154,7 +162,9 @@ class Model(traitlets.HasTraits):
         usable = {}
         for key, value in given.items() if isinstance(given, dict) else ():
             control = known.get(key)
-            allowed = control and (control.kind != "choice" or value in {choice for choice, _ in control.choices})
+            allowed = control and (
+                control.kind != "choice" or value in {choice for choice, _ in control.choices}
+            )
             if not allowed or isinstance(value, bool) or not isinstance(value, int | float | str):
                 ignored.append(f"{key} = {value!r} is not an input of this page.")
             else:
@@ -168,7 +178,9 @@ class Model(traitlets.HasTraits):
         if found is None:
             return ""
         if found.slam is None:
-            return f"{found.case.design.title or found.case.design.name} has no wet deck; its motions are shown."
+            return (
+                f"{found.case.design.title or found.case.design.name} has no wet deck; its motions are shown."
+            )
         slam = found.slam
         worst = slam.statistics.isel(slam.worst_point)
         return verdict(

@@ -20,7 +20,14 @@ LONGEST_COUNT = 3.0
 """Hours counted at most [h]; longer ones count for the extremes alone."""
 
 _DECK_FIELDS = {name: name.removeprefix("deck_") for name in DECK_LENGTHS} | {"clearance": "clearance"}
-_GROUP_OF_PART = {"masses": "masses", "hull": "hull", "wet deck": "deck", "sea": "sea", "run": "run", "slams": "slams"}
+_GROUP_OF_PART = {
+    "masses": "masses",
+    "hull": "hull",
+    "wet deck": "deck",
+    "sea": "sea",
+    "run": "run",
+    "slams": "slams",
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,7 +92,10 @@ def inputs_of(design: Design) -> dict[str, Any]:
         "mass": _short(masses.mass / 1e3),
         "centre_height": _short(z + design.hull.shape.draught),
         "centre_x": _short(x),
-        **{f"{mode}_gyradius": _short(getattr(masses, f"{mode}_gyradius")) for mode in ("roll", "pitch", "yaw")},
+        **{
+            f"{mode}_gyradius": _short(getattr(masses, f"{mode}_gyradius"))
+            for mode in ("roll", "pitch", "yaw")
+        },
     }
     return values
 
@@ -122,9 +132,16 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
         return dataclasses.replace(base.wet_deck, **_unchanged(base.wet_deck, values))
 
     def masses():
-        centre = (number("centre_x"), base.masses.centre_of_gravity[1], number("centre_height") - base.hull.shape.draught)
+        centre = (
+            number("centre_x"),
+            base.masses.centre_of_gravity[1],
+            number("centre_height") - base.hull.shape.draught,
+        )
         old = base.masses.centre_of_gravity
-        centre = tuple(a if math.isclose(a, b, rel_tol=1e-5, abs_tol=1e-9) else b for a, b in zip(old, centre, strict=True))
+        centre = tuple(
+            a if math.isclose(a, b, rel_tol=1e-5, abs_tol=1e-9) else b
+            for a, b in zip(old, centre, strict=True)
+        )
         values = {"mass": number("mass", 1e3)}
         values |= {f"{mode}_gyradius": number(f"{mode}_gyradius") for mode in ("roll", "pitch", "yaw")}
         return dataclasses.replace(base.masses, centre_of_gravity=centre, **_unchanged(base.masses, values))
@@ -133,12 +150,16 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
     mass = part("masses", masses)
     hull = base.hull
     if hull.count > 1:
-        hull = part("hull", lambda: dataclasses.replace(hull, **_unchanged(base.hull, {"spacing": number("spacing")})))
+        hull = part(
+            "hull", lambda: dataclasses.replace(hull, **_unchanged(base.hull, {"spacing": number("spacing")}))
+        )
     condition = part("sea", lambda: _condition(inputs, number))
     slams = part("slams", lambda: _slam_choices(inputs, number))
     design = None
     if not refused:
-        design = part("wet deck", lambda: dataclasses.replace(base, hull=hull, wet_deck=wet_deck, masses=mass))
+        design = part(
+            "wet deck", lambda: dataclasses.replace(base, hull=hull, wet_deck=wet_deck, masses=mass)
+        )
     if refused or design is None or condition is None or slams is None:
         raise Problems(refused)
     return Case(design=design, condition=condition, **slams)
@@ -219,7 +240,9 @@ def _converted_period(inputs: dict[str, Any], kind: str) -> Any:
 def uploaded_design(text: str) -> Design:
     """Return the design of an uploaded file; text only, and never one that names other files."""
     if len(text) > LARGEST_UPLOAD:
-        raise InputError(f"design file must be smaller than {LARGEST_UPLOAD / 1e6:g} MB, got {len(text) / 1e6:.1f} MB.")
+        raise InputError(
+            f"design file must be smaller than {LARGEST_UPLOAD / 1e6:g} MB, got {len(text) / 1e6:.1f} MB."
+        )
     try:
         hull = tomllib.loads(text).get("hull", {})
     except (tomllib.TOMLDecodeError, RecursionError) as error:

@@ -21,7 +21,9 @@ def notebook_path() -> Path:
     for folder in (HERE, HERE.parents[1] / "notebooks"):
         if (folder / NOTEBOOK).exists():
             return folder / NOTEBOOK
-    raise InputError(f"{NOTEBOOK} must be in the package or in the notebooks folder, it is in neither; install again.")
+    raise InputError(
+        f"{NOTEBOOK} must be in the package or in the notebooks folder, it is in neither; install again."
+    )
 
 
 def free_port(port: int, ip: str = "127.0.0.1") -> int:
@@ -32,7 +34,9 @@ def free_port(port: int, ip: str = "127.0.0.1") -> int:
         try:
             probe.bind((ip, port))
         except OSError:
-            raise InputError(f"port must be free, {port} is in use; give another, or 0 for any free one.") from None
+            raise InputError(
+                f"port must be free, {port} is in use; give another, or 0 for any free one."
+            ) from None
         return int(probe.getsockname()[1])
 
 
@@ -44,7 +48,10 @@ def voila_arguments(port: int, open_browser: bool, pool_size: int = POOL_SIZE) -
     template nor theme, and sees no source.
     """
     path = notebook_path()
-    pool = {path.name: {"pool_size": pool_size, "kernel_env_variables": {"OMP_NUM_THREADS": "1"}}, "default": {"pool_size": 0}}
+    pool = {
+        path.name: {"pool_size": pool_size, "kernel_env_variables": {"OMP_NUM_THREADS": "1"}},
+        "default": {"pool_size": 0},
+    }
     settings: dict[str, object] = {
         "Voila.port": port,
         "Voila.ip": "127.0.0.1",
@@ -87,7 +94,11 @@ def run_app(port: int = 8866, open_browser: bool = True) -> None:
 def run_lab(port: int = 8888, open_browser: bool = True) -> None:
     """Serve the notebooks by JupyterLab until interrupted."""
     folder = notebook_path().parent
-    arguments = [f"--ServerApp.port={free_port(port)}", "--ServerApp.port_retries=0", "--ServerApp.ip=127.0.0.1"]
+    arguments = [
+        f"--ServerApp.port={free_port(port)}",
+        "--ServerApp.port_retries=0",
+        "--ServerApp.ip=127.0.0.1",
+    ]
     arguments += [f"--ServerApp.root_dir={folder}", f"--ServerApp.open_browser={open_browser}"]
     _run(["-m", "jupyterlab", *arguments])
 

@@ -13,7 +13,12 @@ DECADES = 4.0
 
 
 def clearance_figure(
-    curve: xr.Dataset, *, clearance: float, slams_per_hour: float, criterion_per_hour: float, least_clearance: float
+    curve: xr.Dataset,
+    *,
+    clearance: float,
+    slams_per_hour: float,
+    criterion_per_hour: float,
+    least_clearance: float,
 ) -> Figure:
     """Slams per hour against clearance, with the criterion, the present clearance and the least that meets it.
 
@@ -38,12 +43,12 @@ def clearance_figure(
         )  # fmt: skip
         axes.plot(
             clearance, np.clip(slams_per_hour, lowest, highest), marker="o", markersize=9, linestyle="", color=style.WARM,
-            label=f"now {clearance:.3g} m: {slams_per_hour:.3g} /h", clip_on=False, zorder=5,
+            label=f"now {style.number_words(clearance)} m: {style.number_words(slams_per_hour)} /h", clip_on=False, zorder=5,
         )  # fmt: skip
         if curve.clearance.values[0] <= least_clearance <= curve.clearance.values[-1]:
             axes.plot(
                 least_clearance, criterion_per_hour, marker="D", markersize=8, linestyle="", color="#3a5530",
-                label=f"least {least_clearance:.3g} m", zorder=5,
+                label=f"least {style.number_words(least_clearance)} m", zorder=5,
             )  # fmt: skip
         axes.set_yscale("log")
         axes.set_ylim(lowest, highest)

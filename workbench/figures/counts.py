@@ -9,7 +9,9 @@ from matplotlib.ticker import MaxNLocator
 from workbench.figures import style
 
 
-def counts_figure(statistics: xr.Dataset, counts: xr.Dataset, *, column: int, hours: float, seed: int) -> Figure:
+def counts_figure(
+    statistics: xr.Dataset, counts: xr.Dataset, *, column: int, hours: float, seed: int
+) -> Figure:
     """Counted slams per hour with their 99 % bands, and the closed form, along one line of the deck.
 
     Parameters

@@ -7,7 +7,6 @@ from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from workbench import quantities
 from workbench.figures import style
 
 BANDS = 10
@@ -51,15 +50,22 @@ def deck_plan_figure(
         levels = MaxNLocator(BANDS, min_n_ticks=5).tick_values(0.0, style.rounded_up(top))
         norm = BoundaryNorm(levels, 256)
         drawn = axes.contourf(
-            x, y, padded.T, levels=levels, norm=norm, cmap=style.COLOUR_MAP, extend="max" if top > levels[-1] else "neither"
+            x,
+            y,
+            padded.T,
+            levels=levels,
+            norm=norm,
+            cmap=style.COLOUR_MAP,
+            extend="max" if top > levels[-1] else "neither",
         )
         if top > levels[1]:
             axes.contour(x, y, padded.T, levels=levels[1:-1], colors="white", linewidths=0.4, alpha=0.6)
         if line_at is not None and field.min() < line_at * factor < top:
-            lines = axes.contour(x, y, padded.T, levels=[line_at * factor], colors="white", linewidths=2.2, linestyles="--")
+            axes.contour(
+                x, y, padded.T, levels=[line_at * factor], colors="white", linewidths=2.2, linestyles="--"
+            )
             if line_label:
                 axes.plot([], [], color="#8b8b7a", linestyle="--", linewidth=2.2, label=line_label)
-            del lines
         if mark is not None and top > 0:
             axes.plot(
                 *mark, marker="o", markersize=11, markerfacecolor="none", markeredgecolor="white",
@@ -83,7 +89,7 @@ def deck_plan_figure(
         bar.set_ticks(levels[:: max(1, len(levels) // 5)])
         bar.outline.set_edgecolor(style.SOFT)
         unit = "" if shown_unit == "1" else f" [{shown_unit}]"
-        bar.set_label(f"{attrs.get('symbol', '')}{unit}".strip() or quantities.axis_label(values))
+        bar.set_label(unit.strip())
         handles, _ = axes.get_legend_handles_labels()
         title = f"{attrs.get('long_name', values.name)}{unit}"
         axes.set_title(title[0].upper() + title[1:], loc="left")

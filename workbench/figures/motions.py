@@ -18,7 +18,12 @@ _FAINT, _STILL = 0.01, 1e-6  # phases of motions smaller than this are noise and
 
 
 def motions_figure(
-    motion_set: xr.Dataset, lead: xr.DataArray, *, wave_direction: float, length: float, abscissa: str = "wave frequency"
+    motion_set: xr.Dataset,
+    lead: xr.DataArray,
+    *,
+    wave_direction: float,
+    length: float,
+    abscissa: str = "wave frequency",
 ) -> Figure:
     """Heave, roll and pitch: amplitudes above, phase leads below.
 
@@ -32,7 +37,7 @@ def motions_figure(
     along, order = _abscissa(one, abscissa, length)
     with mpl.rc_context(style.STYLE):
         figure = style.blank_figure(_SIZE)
-        figure.subplots_adjust(left=0.075, right=0.985, top=0.94, bottom=0.115, wspace=0.2, hspace=0.16)
+        figure.subplots_adjust(left=0.08, right=0.985, top=0.94, bottom=0.115, wspace=0.2, hspace=0.16)
         rows = figure.subplots(2, 3, sharex=True, gridspec_kw={"height_ratios": (3, 2)})
         for column, mode in enumerate(("heave", "roll", "pitch")):
             _draw_amplitude(rows[0, column], along, one, mode, order, column)
@@ -57,7 +62,7 @@ def six_motions_figure(
     along, order = _abscissa(one, abscissa, length)
     with mpl.rc_context(style.STYLE):
         figure = style.blank_figure(_SIZE)
-        figure.subplots_adjust(left=0.075, right=0.985, top=0.94, bottom=0.115, wspace=0.2, hspace=0.3)
+        figure.subplots_adjust(left=0.08, right=0.985, top=0.94, bottom=0.115, wspace=0.2, hspace=0.3)
         rows = figure.subplots(2, 3, sharex=True)
         for index, mode in enumerate(MODES):
             _draw_amplitude(rows.flat[index], along, one, mode, order, index % 3)
@@ -93,6 +98,8 @@ def _draw_amplitude(axes, along, one: xr.Dataset, mode: str, order, line: int) -
     inside = shown[along <= 6] if along[-1] > 12 else shown
     top = float(np.max(inside)) if inside.size else 1.0
     axes.set_ylim(0, max(1.15 * top, 0.1))
+    if top < _STILL:
+        axes.text(0.5, 0.5, "none", transform=axes.transAxes, ha="center", color=style.SOFT)
 
 
 def _finish(rows, abscissa: str, length: float) -> None:

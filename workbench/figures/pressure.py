@@ -4,6 +4,7 @@ import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from workbench.figures import style
 
@@ -24,21 +25,32 @@ def pressure_histogram_figure(events: xr.Dataset, *, expected_peak: float, hours
     top = style.rounded_up(max(float(pressures.max()), expected_peak / 1e3))
     with mpl.rc_context(style.STYLE):
         figure = style.blank_figure()
-        axes = style.single_axes(figure)
-        axes.hist(pressures, bins=np.linspace(0, top, BINS + 1), color=style.ACCENT, edgecolor="white", linewidth=0.6)
+        axes = style.single_axes(figure, top=0.62, right=0.32)
+        axes.hist(
+            pressures,
+            bins=np.linspace(0, top, BINS + 1),
+            color=style.ACCENT,
+            edgecolor="white",
+            linewidth=0.6,
+        )
         axes.axvline(
-            pressures.max(), color=style.INK, linestyle=":", linewidth=1.8, label=f"largest counted {pressures.max():.3g} kPa"
+            pressures.max(),
+            color=style.INK,
+            linestyle=":",
+            linewidth=1.8,
+            label=f"largest counted {style.number_words(pressures.max())} kPa",
         )
         if expected_peak > 0:
             axes.axvline(
                 expected_peak / 1e3, color=style.WARM, linestyle="--", linewidth=1.8,
-                label=f"most probable in {hours:g} h {expected_peak / 1e3:.3g} kPa",
+                label=f"most probable in {hours:g} h {style.number_words(expected_peak / 1e3)} kPa",
             )  # fmt: skip
         axes.set_yscale("log")
         axes.set_ylim(bottom=0.7)
         axes.set_xlim(0, top)
         axes.set_xlabel("peak pressure of an entry [kPa]")
         axes.set_ylabel("number of entries [-]")
-        axes.legend(loc="upper right")
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1)
+        axes.xaxis.set_major_locator(MaxNLocator(5))
         style.grid_behind(axes)
     return figure

@@ -84,10 +84,14 @@ def message_figure(sentence: str, size: tuple[float, float] = NORMAL) -> Figure:
 def picture(figure: Figure, kind: str = "png") -> bytes:
     """Bytes of the figure as "png" or "svg"."""
     stream = io.BytesIO()
-    options: dict = {"metadata": {"Date": None}} if kind == "svg" else {
-        "dpi": PICTURE_DPI,
-        "pil_kwargs": {"compress_level": 1},
-    }
+    options: dict = (
+        {"metadata": {"Date": None}}
+        if kind == "svg"
+        else {
+            "dpi": PICTURE_DPI,
+            "pil_kwargs": {"compress_level": 1},
+        }
+    )
     with mpl.rc_context(STYLE):
         figure.savefig(stream, format=kind, **options)
     return stream.getvalue()
@@ -100,6 +104,16 @@ def rounded_up(value: float) -> float:
     power = 10.0 ** np.floor(np.log10(value))
     steps = np.array([1, 1.5, 2, 3, 4, 5, 6, 8, 10])
     return float(steps[np.argmax(steps * power >= value * (1 - 1e-9))] * power)
+
+
+def number_words(value: float, digits: int = 3) -> str:
+    """Number to some significant digits, without an exponent where it can be read without."""
+    value = float(value)
+    if not np.isfinite(value) or value == 0 or not 1e-4 <= abs(value) < 1e6:
+        return f"{value:.{digits}g}"
+    rounded = float(f"{value:.{digits}g}")
+    decimals = max(0, digits - 1 - int(np.floor(np.log10(abs(rounded)))))
+    return f"{rounded:.{decimals}f}".rstrip("0").rstrip(".") if decimals else f"{rounded:.0f}"
 
 
 def grid_behind(axes: Axes | Sequence[Axes]) -> None:

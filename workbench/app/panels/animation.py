@@ -3,7 +3,7 @@
 from workbench.app.panels.panel import card
 from workbench.app.panels.slamming import SlammingPanel
 
-HEIGHT = 560
+HEIGHT = 600
 
 
 class AnimationPanel(SlammingPanel):
@@ -16,7 +16,9 @@ class AnimationPanel(SlammingPanel):
 
     def build(self):
         """Make the place for the view; the view comes with the first scene."""
-        self.note = card("<p>The animation is being built: first the slams of the realisation are counted.</p>")
+        self.note = card(
+            "<p>The animation is being built: first the slams of the realisation are counted.</p>"
+        )
         self.drawings = []
         return [self.note]
 

@@ -56,12 +56,20 @@ class DesignPanel(Panel):
             return
         (self.afloat.remove_class if is_current else self.afloat.add_class)("wb-is-old")
         design, ship = found.case.design, found.ship
-        rows = [("waterline length", f"{design.hull.length:.4g} m"), ("beam of the whole ship", f"{design.hull.beam:.4g} m")]
+        rows = [
+            ("waterline length", f"{design.hull.length:.4g} m"),
+            ("beam of the whole ship", f"{design.hull.beam:.4g} m"),
+        ]
         for name in (
             "volume", "displacement", "waterplane_area", "wetted_surface", "block_coefficient",
             "transverse_metacentric_height", "longitudinal_metacentric_height",
         ):  # fmt: skip
-            rows.append((quantities.TABLE[name].long_name, _with_unit(float(ship.hydrostatics[name]), quantities.TABLE[name].units)))
+            rows.append(
+                (
+                    quantities.TABLE[name].long_name,
+                    _with_unit(float(ship.hydrostatics[name]), quantities.TABLE[name].units),
+                )
+            )
         for name, axis in (("centre_of_buoyancy", "x"), ("centre_of_flotation", "x")):
             value = float(np.ravel(ship.hydrostatics[name].values)[0])
             rows.append((f"{name.replace('_', ' ')}, {axis}", f"{value:.4g} m"))

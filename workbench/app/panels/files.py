@@ -19,7 +19,9 @@ class FilesPanel(Panel):
 
     title = "Data"
 
-    def __init__(self, model: Model, post: Callable[[], None], send_file: SendFile, wants_scene: Callable[[], None]) -> None:
+    def __init__(
+        self, model: Model, post: Callable[[], None], send_file: SendFile, wants_scene: Callable[[], None]
+    ) -> None:
         super().__init__(model, post)
         self.send_file, self.wants_scene = send_file, wants_scene
 
@@ -71,7 +73,9 @@ class FilesPanel(Panel):
 
     @property
     def _stem(self) -> str:
-        return "".join(letter if letter.isalnum() or letter in "-_" else "-" for letter in self.model.base.name)
+        return "".join(
+            letter if letter.isalnum() or letter in "-_" else "-" for letter in self.model.base.name
+        )
 
     def _ready(self):
         """Return the case and the findings that fit it, or a sentence why there are none."""
@@ -90,25 +94,33 @@ class FilesPanel(Panel):
         return self._send(f"{self._stem}.toml", "application/toml", design_to_toml(case.design).encode())
 
     def _inputs(self) -> str:
-        return self._send(f"{self._stem}-inputs.json", "application/json", exports.inputs_file(self.model.state()))
+        return self._send(
+            f"{self._stem}-inputs.json", "application/json", exports.inputs_file(self.model.state())
+        )
 
     def _motions_csv(self) -> str:
         found, reason = self._ready()
         if not found:
             return reason
-        return self._send(f"{self._stem}-motions.csv", CSV, exports.csv_file(exports.motion_table(found), found.case))
+        return self._send(
+            f"{self._stem}-motions.csv", CSV, exports.csv_file(exports.motion_table(found), found.case)
+        )
 
     def _motions_netcdf(self) -> str:
         found, reason = self._ready()
         if not found:
             return reason
-        return self._send(f"{self._stem}-motions.nc", NETCDF, exports.netcdf_file(exports.motion_table(found), found.case))
+        return self._send(
+            f"{self._stem}-motions.nc", NETCDF, exports.netcdf_file(exports.motion_table(found), found.case)
+        )
 
     def _slamming_csv(self) -> str:
         found, reason = self._with_deck()
         if not found:
             return reason
-        return self._send(f"{self._stem}-slamming.csv", CSV, exports.csv_file(exports.slamming_table(found), found.case))
+        return self._send(
+            f"{self._stem}-slamming.csv", CSV, exports.csv_file(exports.slamming_table(found), found.case)
+        )
 
     def _slamming_netcdf(self) -> str:
         found, reason = self._with_deck()
@@ -146,4 +158,8 @@ class FilesPanel(Panel):
 
     def reason(self) -> str:
         """Have something to save as soon as there are results."""
-        return "" if self.model.findings else "There is nothing to save yet: the first results are being computed."
+        return (
+            ""
+            if self.model.findings
+            else "There is nothing to save yet: the first results are being computed."
+        )

@@ -6,8 +6,10 @@ from workbench import quantities
 from workbench.app.panels.panel import Drawing, Panel, card, grid, table
 from workbench.conventions import MODES, ROTATIONS
 from workbench.figures import motions as figures
+from workbench.figures import style
 from workbench.motions import lead_over_wave
 
+_NOISE = 1e-8
 WHAT = [["three", "heave, roll and pitch, with phases"], ["six", "all six motions"]]
 
 
@@ -23,7 +25,10 @@ class MotionsPanel(Panel):
             "Motions per metre of wave amplitude", "motions", wide=True,
             choices=[["what", "Motions shown", WHAT], ["over", "Drawn over", [["", ""]]]],
         )  # fmt: skip
-        self.rao.choices = [["what", "Motions shown", WHAT], ["over", "Drawn over", [[a, f"over {b}"] for a, b in axes]]]
+        self.rao.choices = [
+            ["what", "Motions shown", WHAT],
+            ["over", "Drawn over", [[a, f"over {b}"] for a, b in axes]],
+        ]
         self.rao.chosen = {"what": "three", "over": "wave frequency"}
         self.drawings = [Drawing(self.rao, self._key, self._figure, self._words, self._notes)]
         self.statistics = card()
@@ -68,13 +73,16 @@ class MotionsPanel(Panel):
         for index, mode in enumerate(MODES):
             turn = mode in ROTATIONS
             factor, unit = (180 / np.pi, "deg") if turn else (1.0, "m")
-            cells = [values[name].values[index] * factor for name in ("motion_std", "velocity_std", "acceleration_std")]
+            cells = [
+                values[name].values[index] * factor
+                for name in ("motion_std", "velocity_std", "acceleration_std")
+            ]
             ends = (unit, f"{unit}/s", f"{unit}/s²")
             rows.append(
                 (
                     mode,
-                    *(f"{cell:.3g} {end}" for cell, end in zip(cells, ends, strict=True)),
-                    f"{4 * cells[0]:.3g} {unit}",
+                    *(f"{_words(cell)} {end}" for cell, end in zip(cells, ends, strict=True)),
+                    f"{_words(4 * cells[0])} {unit}",
                 )
             )
         self.statistics.value = table(
@@ -85,3 +93,8 @@ class MotionsPanel(Panel):
     def reason(self) -> str:
         """Say why there is nothing to show."""
         return "" if self.model.findings else "The motions are being computed."
+
+
+def _words(value: float) -> str:
+    """Return a number in words, 0 for what is only noise."""
+    return style.number_words(value) if value > _NOISE else "0"

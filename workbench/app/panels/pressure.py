@@ -4,11 +4,11 @@ import numpy as np
 import xarray as xr
 
 from workbench import quantities
-from workbench.app.panels.panel import Drawing, grid
+from workbench.app.panels.panel import Drawing, card, grid, table
 from workbench.app.panels.slamming import SlammingPanel
 from workbench.figures.deck_plan import deck_plan_figure
 from workbench.figures.pressure import pressure_histogram_figure
-from workbench.figures.style import message_figure
+from workbench.figures.style import message_figure, number_words
 
 RANKS = 5
 """Number of counted slams, hardest first, that can be looked at."""
@@ -38,8 +38,16 @@ def slam_pressure(events: xr.Dataset, group: np.ndarray, deck: xr.Dataset) -> xr
     columns = np.searchsorted(deck.y.values, own.event_y.values)
     np.maximum.at(field, (rows, columns), own.peak_pressure.values)
     return xr.DataArray(
-        field, coords={"x": deck.x, "y": deck.y}, dims=("x", "y"), attrs=quantities.attributes("peak_pressure")
+        field,
+        coords={"x": deck.x, "y": deck.y},
+        dims=("x", "y"),
+        attrs=quantities.attributes("peak_pressure"),
     )
+
+
+def _hardest(events: xr.Dataset, group: np.ndarray) -> xr.Dataset:
+    """Return the entry of a slam that has the largest peak pressure."""
+    return events.isel(event=group[int(np.argmax(events.peak_pressure.values[group]))])
 
 
 class PressurePanel(SlammingPanel):
@@ -58,14 +66,45 @@ class PressurePanel(SlammingPanel):
         )  # fmt: skip
         self.histogram = self.view("All entries that were counted", "pressure-histogram")
         self.drawings = [
-            Drawing(self.expected, lambda: self.model.findings, self._expected_figure, self._expected_words, self._plan_notes),
-            Drawing(self.event, self._event_key, self._event_figure, lambda: self._event()[1], self._event_notes),
+            Drawing(
+                self.expected,
+                lambda: self.model.findings,
+                self._expected_figure,
+                self._expected_words,
+                self._plan_notes,
+            ),
+            Drawing(
+                self.event, self._event_key, self._event_figure, lambda: self._event()[1], self._event_notes
+            ),
             Drawing(self.histogram, self._counted_key, self._histogram_figure, self._histogram_words),
         ]
-        return [grid(self.expected, self.event, self.histogram)]
+        self.hardest = card()
+        return [grid(self.expected, self.histogram, self.event, self.hardest)]
 
     def refresh(self, is_current: bool) -> None:
-        """Have no table."""
+        """Fill the table of the hardest slams."""
+        if not hasattr(self, "hardest"):
+            return
+        counted = self._counted() if is_current else None
+        (self.hardest.remove_class if counted else self.hardest.add_class)("wb-is-old")
+        if counted is None or counted is getattr(self, "_listed", None):
+            return
+        self._listed = counted
+        rows = []
+        for rank, group in enumerate(self._groups(), 1):
+            one = _hardest(counted.events, group)
+            rows.append(
+                (
+                    str(rank), f"{float(one.event_time):.1f} s", f"{float(one.event_x):.1f} m",
+                    f"{float(one.entry_velocity):.2f} m/s", f"{np.degrees(float(one.entry_angle)):.1f}°",
+                    f"{number_words(one.peak_pressure / 1e3)} kPa",
+                )
+            )  # fmt: skip
+        self.hardest.value = table(
+            "The hardest slams", ("", "time", "x", "velocity", "angle", "peak pressure"), rows,
+            "Velocity and angle at the entry with the largest pressure of each slam; entries less than a quarter of the "
+            "peak period apart are one slam.",
+        )  # fmt: skip
 
     def _expected_figure(self):
         slam = self.model.findings.slam
@@ -73,33 +112,36 @@ class PressurePanel(SlammingPanel):
         at = np.unravel_index(int(np.argmax(field.values)), field.shape)
         return deck_plan_figure(
             field, slam.deck, mark=(float(field.x[at[0]]), float(field.y[at[1]])),
-            mark_label=f"largest: {float(field.max()) / 1e3:.3g} kPa in {slam.hours:g} h",
+            mark_label=f"largest: {number_words(field.max() / 1e3)} kPa in {slam.hours:g} h",
             nothing=f"no slam is expected in {slam.hours:g} h",
         )  # fmt: skip
 
     def _expected_words(self):
         slam = self.model.findings.slam
         top = float(slam.statistics.most_probable_peak_pressure.max()) / 1e3
-        return f"Plan of the deck with the most probable largest peak pressure in {slam.hours:g} h, at most {top:.3g} kPa."
+        return f"Plan of the deck with the most probable largest peak pressure in {slam.hours:g} h, at most {number_words(top)} kPa."
 
     def _event_key(self):
         counted = self._counted()
         return counted and (counted, self.event.chosen["rank"])
 
+    def _groups(self):
+        gap = 0.25 * self.model.findings.slam.condition.sea_state.peak_period
+        return slam_groups(self._counted().events, gap)
+
     def _event(self):
         counted, slam = self._counted(), self.model.findings.slam
-        gap = 0.25 * slam.condition.sea_state.peak_period
-        groups = slam_groups(counted.events, gap)
+        groups = self._groups()
         rank = int(self.event.chosen["rank"])
         if rank >= len(groups):
             return None, "Fewer slams than that were counted in this realisation."
         group = groups[rank]
         field = slam_pressure(counted.events, group, slam.deck)
-        hardest = counted.events.isel(event=group[int(np.argmax(counted.events.peak_pressure.values[group]))])
+        hardest = _hardest(counted.events, group)
         words = (
-            f"{len(group)} entries about {float(hardest.event_time):.1f} s; the hardest, at x {float(hardest.event_x):.3g} m, "
-            f"y {float(hardest.event_y):.3g} m, enters at {float(hardest.entry_velocity):.3g} m/s and "
-            f"{np.degrees(float(hardest.entry_angle)):.2g} degrees and reaches {float(hardest.peak_pressure) / 1e3:.3g} kPa."
+            f"{len(group)} entries about {float(hardest.event_time):.1f} s; the hardest, at x {number_words(hardest.event_x)} m, "
+            f"y {number_words(hardest.event_y)} m, enters at {number_words(hardest.entry_velocity)} m/s and "
+            f"{np.degrees(float(hardest.entry_angle)):.2g} degrees and reaches {number_words(hardest.peak_pressure / 1e3)} kPa."
         )
         return (field, hardest), words
 
@@ -110,7 +152,7 @@ class PressurePanel(SlammingPanel):
         field, hardest = found
         return deck_plan_figure(
             field, self.model.findings.slam.deck, mark=(float(hardest.event_x), float(hardest.event_y)),
-            mark_label=f"hardest: {float(hardest.peak_pressure) / 1e3:.3g} kPa",
+            mark_label=f"hardest: {number_words(hardest.peak_pressure / 1e3)} kPa",
         )  # fmt: skip
 
     def _event_notes(self):

@@ -7,9 +7,12 @@ from workbench.app.panels.panel import Drawing, Panel, card, grid, table
 from workbench.figures.clearance import clearance_figure
 from workbench.figures.counts import counts_figure, velocity_classes_figure
 from workbench.figures.deck_plan import deck_plan_figure
+from workbench.figures.style import number_words
 from workbench.slamming.events import velocity_classes
 
-NO_DECK = "This design has no wet deck: choose a ship with two or three hulls and a wet deck to see its slamming."
+NO_DECK = (
+    "This design has no wet deck: choose a ship with two or three hulls and a wet deck to see its slamming."
+)
 SHOWN = (
     ("slams_per_hour", "slams per hour"),
     ("slams_per_100_encounters", "slams per 100 encounters"),
@@ -32,12 +35,14 @@ class SlammingPanel(Panel):
         )  # fmt: skip
         self.curve = self.view("How much clearance", "clearance")
         self.counts = self.view("Counted against closed form", "counted-slams")
-        self.classes = self.view("Five classes of entry velocity squared", "velocity-classes")
+        self.classes = self.view("Five classes of velocity squared", "velocity-classes")
         self.numbers = card()
         self.drawings = [
             Drawing(self.plan, self._plan_key, self._plan_figure, self._plan_words, self._plan_notes),
             Drawing(self.curve, lambda: self.model.findings, self._curve_figure, self._curve_words),
-            Drawing(self.counts, self._counted_key, self._counts_figure, self._counts_words, self._counts_notes),
+            Drawing(
+                self.counts, self._counted_key, self._counts_figure, self._counts_words, self._counts_notes
+            ),
             Drawing(self.classes, self._counted_key, self._classes_figure, self._classes_words),
         ]
         return [grid(self.plan, self.curve, self.counts, self.classes, self.numbers)]
@@ -59,7 +64,7 @@ class SlammingPanel(Panel):
         is_rate = name == "slams_per_hour"
         return deck_plan_figure(
             slam.statistics[name], slam.deck,
-            mark=(float(worst.x), float(worst.y)), mark_label=f"worst point: {float(worst.slams_per_hour):.3g} /h",
+            mark=(float(worst.x), float(worst.y)), mark_label=f"worst point: {number_words(worst.slams_per_hour)} /h",
             line_at=slam.criterion_per_hour if is_rate else None, line_label=f"criterion {slam.criterion_per_hour:g} /h",
             nothing="this deck does not slam in this sea",
         )  # fmt: skip
@@ -80,7 +85,7 @@ class SlammingPanel(Panel):
 
     def _curve_words(self):
         slam = self.model.findings.slam
-        return f"Slams per hour at the worst point against clearance; {slam.least_clearance:.3g} m meets the criterion."
+        return f"Slams per hour at the worst point against clearance; {number_words(slam.least_clearance)} m meets the criterion."
 
     def _counted(self):
         counted, found = self.model.counted, self.model.findings
@@ -99,11 +104,17 @@ class SlammingPanel(Panel):
         slam, counted = self.model.findings.slam, self._counted()
         real = self.model.findings.case.realisation
         return counts_figure(
-            slam.statistics, counted.counts, column=slam.worst_point["y"], hours=real.hours, seed=int(real.seed)
+            slam.statistics,
+            counted.counts,
+            column=slam.worst_point["y"],
+            hours=real.hours,
+            seed=int(real.seed),
         )
 
     def _counts_words(self):
-        return f"Slams counted along the deck against the closed form; {100 * self.share_within():.0f} % agree."
+        return (
+            f"Slams counted along the deck against the closed form; {100 * self.share_within():.0f} % agree."
+        )
 
     def _counts_notes(self):
         counted = self._counted()
@@ -134,26 +145,28 @@ class SlammingPanel(Panel):
         if counted is not None:
             here = counted.counts.isel(slam.worst_point)
             count = (
-                f"{float(here.counted_per_hour):.3g} /h ({float(here.counted_band_low):.3g} to "
-                f"{float(here.counted_band_high):.3g})"
+                f"{number_words(here.counted_per_hour)} /h ({number_words(here.counted_band_low)} to "
+                f"{number_words(here.counted_band_high)})"
             )
         rows = [
-            ("place, x and y", f"{float(worst.x):.3g} m, {float(worst.y):.3g} m"),
-            ("slams per hour", f"{float(worst.slams_per_hour):.4g} /h"),
+            ("place, x and y", f"{number_words(worst.x)} m, {number_words(worst.y)} m"),
+            ("slams per hour", f"{number_words(worst.slams_per_hour)} /h"),
             ("counted (99 % band)", count),
-            ("slams per 100 encounters", f"{float(worst.slams_per_100_encounters):.3g}"),
-            ("relative motion σ", f"{float(moments.relative_motion_std):.3g} m"),
-            ("relative velocity σ", f"{float(moments.relative_velocity_std):.3g} m/s"),
-            ("least velocity that counts", f"{slam.threshold:.3g} m/s"),
-            ("mean entry velocity", f"{float(worst.mean_entry_velocity):.3g} m/s"),
-            (f"largest entry velocity in {slam.hours:g} h", f"{float(worst.most_probable_entry_velocity):.3g} m/s"),
-            (f"largest peak pressure in {slam.hours:g} h", f"{float(worst.most_probable_peak_pressure) / 1e3:.3g} kPa"),
-            ("least clearance for the criterion", f"{slam.least_clearance:.3g} m"),
+            ("slams per 100 encounters", f"{number_words(worst.slams_per_100_encounters)}"),
+            ("relative motion σ", f"{number_words(moments.relative_motion_std)} m"),
+            ("relative velocity σ", f"{number_words(moments.relative_velocity_std)} m/s"),
+            ("least velocity that counts", f"{number_words(slam.threshold)} m/s"),
+            ("mean entry velocity", f"{number_words(worst.mean_entry_velocity)} m/s"),
+            (
+                f"largest entry velocity in {slam.hours:g} h",
+                f"{number_words(worst.most_probable_entry_velocity)} m/s",
+            ),
+            (
+                f"largest peak pressure in {slam.hours:g} h",
+                f"{number_words(worst.most_probable_peak_pressure / 1e3)} kPa",
+            ),
+            ("least clearance for the criterion", f"{number_words(slam.least_clearance)} m"),
             ("deck that slams more often than allowed", f"{100 * share:.0f} %"),
         ]
         self.numbers.value = table("The worst point", ("quantity", "value"), rows)
 
-
-def hardest_event(events) -> int:
-    """Number of the event with the largest peak pressure."""
-    return int(np.argmax(events.peak_pressure.values))

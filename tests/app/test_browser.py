@@ -1,0 +1,168 @@
+"""The page in a real browser, as a new reader opens and uses it."""
+
+import os
+import re
+import signal
+import time
+
+import pytest
+
+pytestmark = pytest.mark.browser
+
+
+def drag(page, name, value):
+    """Move a slider as a hand would: a value, and the event of a drag."""
+    page.locator(f"[data-name={name}] .wb-slider").evaluate(
+        "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input', { bubbles: true })); }",
+        str(value),
+    )
+
+
+def type_in(page, name, text):
+    box = page.locator(f"[data-name={name}] .wb-box")
+    box.fill(text)
+    box.press("Tab")
+
+
+def test_first_figures_come_within_ten_seconds_and_nothing_leaves_the_machine(new_page):
+    print(f"first figures after {new_page.seconds_to_figures:.1f} s")
+    assert new_page.seconds_to_figures < 10
+    assert re.search(r"kn in Hs .* this deck slams", new_page.verdict)
+    assert new_page.outside == []
+    assert new_page.errors == []
+    assert new_page.page.evaluate("document.documentElement.lang") == "en"
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1920, 1080)])
+def test_page_needs_no_horizontal_scrolling(new_page, size):
+    new_page.page.set_viewport_size({"width": size[0], "height": size[1]})
+    assert new_page.page.evaluate("document.documentElement.scrollWidth") <= size[0]
+    wide = new_page.page.evaluate("Math.max(...[...document.querySelectorAll('.wb-figure')].map(f => f.scrollWidth - f.clientWidth))")
+    assert wide <= 1
+
+
+def test_source_is_not_shown(new_page):
+    assert "import app" not in new_page.page.content()
+    assert new_page.page.locator(".jp-InputArea").count() == 0
+
+
+def test_slider_changes_verdict_and_figure_within_half_a_second(new_page):
+    page = new_page.page
+    new_page.wait_for_figures(4)
+    new_page.wait_until_idle()
+    times = []
+    for value in (3.0, 3.4, 2.8, 3.2):
+        before, sentence = new_page.revision("slams-on-deck"), new_page.verdict
+        start = time.monotonic()
+        drag(page, "clearance", value)
+        assert new_page.wait(lambda before=before: new_page.revision("slams-on-deck") > before, 10)
+        times.append(time.monotonic() - start)
+        assert new_page.verdict != sentence
+        page.wait_for_timeout(1200)
+        new_page.wait_until_idle()
+    print("slider to figure:", ", ".join(f"{one:.2f} s" for one in times))
+    assert min(times) < 0.5
+    assert new_page.page.locator("[data-name=clearance] .wb-box").input_value() == "3.2"
+
+
+def test_refused_input_is_explained_beside_its_control_and_greys_the_figures(new_page):
+    page = new_page.page
+    type_in(page, "wave_height", "-2")
+    problem = page.locator("[data-name=wave_height] .wb-problem")
+    assert new_page.wait(lambda: "must be a finite number > 0" in problem.inner_text())
+    assert "must be" in new_page.verdict
+    assert new_page.wait(lambda: page.locator(".wb-figure.wb-is-old").count() >= 4)
+    type_in(page, "wave_height", "2.5")
+    assert new_page.wait(lambda: problem.inner_text() == "")
+    assert new_page.wait(lambda: page.locator(".wb-figure.wb-is-old").count() == 0)
+    assert "Hs 2.5 m" in new_page.verdict
+
+
+def test_every_control_has_a_name(new_page):
+    unnamed = new_page.page.evaluate(
+        """() => [...document.querySelectorAll('.wb-page input, .wb-page select, .wb-page button')]
+        .filter(e => !(e.labels?.length || e.getAttribute('aria-label') || e.textContent.trim() || e.title || e.hidden))
+        .map(e => e.outerHTML)"""
+    )
+    assert unnamed == []
+    assert new_page.page.locator("[role=progressbar][aria-valuenow]").count() == 1
+
+
+def test_animation_plays(new_page):
+    new_page.open_tab("3-D")
+    page = new_page.page
+    page.wait_for_function("window.__sv && window.__sv.frames > 3", timeout=30000)
+    first = page.evaluate("window.__sv.frames")
+    assert new_page.wait(lambda: page.evaluate("window.__sv.frames") > first + 3, 15)
+    new_page.open_tab("Slamming")
+
+
+@pytest.mark.parametrize("title", ["Motions", "Pressure", "Design"])
+def test_each_tab_shows_its_figures(new_page, title):
+    new_page.open_tab(title)
+    assert new_page.wait(
+        lambda: new_page.page.evaluate(
+            "[...document.querySelectorAll('.wb-picture')].filter(p => p.offsetParent).every(p => p.querySelector('img').naturalWidth > 0 && !p.closest('.wb-is-old'))"
+            " && [...document.querySelectorAll('.wb-picture')].some(p => p.offsetParent)"
+        )
+    )
+    assert new_page.errors == []
+
+
+@pytest.mark.parametrize(
+    ("label", "ending", "start"),
+    [
+        ("Design (TOML)", ".toml", b"name ="),
+        ("Slamming (CSV)", "-slamming.csv", b"# workbench"),
+        ("Motions (netCDF)", "-motions.nc", b"\x89HDF"),
+    ],
+)
+def test_files_are_saved(new_page, label, ending, start):
+    new_page.open_tab("Data")
+    with new_page.page.expect_download(timeout=15000) as download:
+        new_page.page.get_by_role("button", name=label).click()
+    assert download.value.suggested_filename.endswith(ending)
+    with open(download.value.path(), "rb") as stream:
+        assert stream.read(20).startswith(start)
+
+
+def test_figure_is_saved_as_svg(new_page):
+    new_page.open_tab("Slamming")
+    with new_page.page.expect_download(timeout=15000) as download:
+        new_page.page.get_by_role("button", name="Save as SVG: Where the deck slams").click()
+    with open(download.value.path()) as stream:
+        assert "<svg" in stream.read(600)
+
+
+def test_permalink_opens_the_same_inputs_and_two_pages_do_not_mix(new_page, open_page):
+    other = open_page("?design=austal-63&clearance=3.9&heading_degrees=150&law=nonsense")
+    assert other.page.locator("[data-name=clearance] .wb-box").input_value() == "3.9"
+    assert other.wait(lambda: "bow seas" in other.verdict)
+    assert "law" in other.page.locator(".wb-remark").inner_text()
+    assert "clearance=3.9" in other.page.url
+    assert new_page.page.locator("[data-name=clearance] .wb-box").input_value() != "3.9"
+    other.page.close()
+
+
+def test_reload_keeps_a_changed_design_and_a_killed_kernel_says_so(open_page):
+    one = open_page()
+    page = one.page
+    page.locator("summary", has_text="More of the wet deck").click()
+    type_in(page, "camber", "0.4")
+    type_in(page, "clearance", "3.3")
+    assert one.wait(lambda: "clearance=3.3" in page.url)
+    page.wait_for_timeout(500)
+    os.kill(one.kernel_process(), signal.SIGKILL)
+    banner = page.get_by_role("button", name="Reload with the same inputs")
+    banner.wait_for(state="visible", timeout=30000)
+    banner.click()
+    page.wait_for_timeout(1000)
+    one.wait_for_figures()
+    assert one.wait(lambda: page.locator("[data-name=clearance] .wb-box").input_value() == "3.3")
+    assert page.locator("[data-name=camber] .wb-box").input_value() == "0.4"
+    page.close()
+
+
+def test_shared_page_stayed_clean(new_page):
+    assert new_page.outside == []
+    assert new_page.errors == []
