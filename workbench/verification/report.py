@@ -89,26 +89,28 @@ def _number(value: float | None) -> str:
 
 
 def _cases_text(values: dict[str, Any]) -> str:
-    lines = []
+    lines: list[str] = []
     group = ""
+    reasons: dict[str, str] = {}
     for row in values["cases"]:
         if row["group"] != group:
             group = row["group"]
-            lines += [
-                "",
-                f"{group}",
-                f"  {'':76}{'known':>11}{'computed':>11}{'difference':>12}{'tolerance':>11}",
-            ]
-        numbers = (_number(row[name]) for name in ("published", "computed", "difference"))
-        known, computed, difference = numbers
-        unit = "" if row["unit"] == "-" else row["unit"]
-        title = f"{row['title']} [{row['kind']}]"
+            lines += ["", f"{group:<86}{'known':>11}{'computed':>11}{'difference':>12}{'tolerance':>11}"]
+        known, computed, difference = (_number(row[name]) for name in ("published", "computed", "difference"))
+        unit = "" if row["unit"] == "-" else f" [{row['unit']}]"
+        mark = ""
+        if row["verdict"] == "known miss":
+            mark = f"({reasons.setdefault(row['miss'], str(len(reasons) + 1))})"
         lines.append(
-            f"  {title[:75]:<76}{known:>11}{computed:>11}{difference:>12}{row['tolerance']:>11.3g}"
-            f"  {row['verdict']:<11}{unit}"
+            f"  {row['title'] + unit:<84}{known:>11}{computed:>11}{difference:>12}{row['tolerance']:>11.3g}"
+            f"  {row['verdict']} {mark}".rstrip()
         )
-        if row["verdict"] != "agrees":
-            lines.append(f"      {row['id']}: {row['miss'] or 'leaves its tolerance'}")
+    if reasons:
+        lines += ["", "Why the known misses miss"]
+        lines += [f"  ({number}) {reason}" for reason, number in reasons.items()]
+    failing = [row["id"] for row in values["cases"] if row["verdict"] == "fails"]
+    if failing:
+        lines += ["", f"Failing: {', '.join(failing)}"]
     counts = ", ".join(f"{number} {verdict}" for verdict, number in values["counts"].items())
     return "\n".join([*lines[1:], "", f"{len(values['cases'])} cases in {values['seconds']:.0f} s: {counts}"])
 
