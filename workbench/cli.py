@@ -315,12 +315,13 @@ def run(
 @application.command()
 def verify(
     features: Annotated[bool, typer.Option("--features", help="The table of features and its evidence.")] = False,
+    slow: Annotated[bool, typer.Option("--slow", help="Also the cases that take minutes.")] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Print the verification cases: published value, computed value, difference, tolerance."""
     from workbench.verification import report
 
-    passed, values = report.features() if features else report.cases()
+    passed, values = report.features() if features else report.cases(slow=slow)
     if as_json:
         _print_json(values)
     else:
@@ -349,6 +350,15 @@ def open_lab(
     from workbench.app import server
 
     server.run_lab(port=port, open_browser=browser)
+
+
+@application.command()
+def prepare() -> None:
+    """Do what is done once per machine: tabulate the Green function of the panel method (some 20 s)."""
+    from workbench.hydrodynamics.potential_flow import prepared_green_function
+
+    prepared_green_function()
+    print("The panel method is ready.")
 
 
 @application.command()
