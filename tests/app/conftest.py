@@ -14,9 +14,12 @@ import pytest
 
 CHROMIUM = Path("/usr/bin/chromium")
 FLAGS = [
-    "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-    "--no-first-run", "--no-default-browser-check", "--disable-background-networking", "--disable-component-update",
-    "--disable-sync", "--disable-default-apps", "--disable-extensions", "--mute-audio", "--disable-domain-reliability",
+    "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--no-first-run", "--no-default-browser-check", "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync", "--disable-default-apps", "--disable-extensions", "--mute-audio",
+    "--disable-domain-reliability",
     "--disable-client-side-phishing-detection",
 ]  # fmt: skip
 HARMLESS = ("Unsatisfied version", "No satisfying version")  # notices of Voila's own JupyterLab
@@ -48,7 +51,8 @@ class Watched:
 
     def wait_for_figures(self, count=2, timeout=90):
         self.page.wait_for_function(
-            "n => [...document.querySelectorAll('.wb-picture img')].filter(i => i.naturalWidth > 0).length >= n",
+            "n => [...document.querySelectorAll('.wb-picture img')].filter(i => i.naturalWidth > "
+            "0).length >= n",
             arg=count, timeout=1000 * timeout,
         )  # fmt: skip
 
@@ -116,7 +120,8 @@ def browser():
 @pytest.fixture(scope="session")
 def open_page(server, browser):
     def opened(query="", context=None):
-        context = context or browser.new_context(viewport={"width": 1280, "height": 800}, accept_downloads=True)
+        size = {"width": 1280, "height": 800}
+        context = context or browser.new_context(viewport=size, accept_downloads=True)
         page = context.new_page()
         watched = Watched(page, 0.0)
 
@@ -145,4 +150,3 @@ def open_page(server, browser):
 def new_page(open_page):
     """A page shared by the tests that leave it usable."""
     return open_page()
-

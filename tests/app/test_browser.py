@@ -13,7 +13,8 @@ pytestmark = pytest.mark.browser
 def drag(page, name, value):
     """Move a slider as a hand would: a value, and the event of a drag."""
     page.locator(f"[data-name={name}] .wb-slider").evaluate(
-        "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input', { bubbles: true })); }",
+        "(slider, value) => "
+        "{ slider.value = value; slider.dispatchEvent(new Event('input', { bubbles: true })); }",
         str(value),
     )
 
@@ -37,7 +38,9 @@ def test_first_figures_come_within_ten_seconds_and_nothing_leaves_the_machine(ne
 def test_page_needs_no_horizontal_scrolling(new_page, size):
     new_page.page.set_viewport_size({"width": size[0], "height": size[1]})
     assert new_page.page.evaluate("document.documentElement.scrollWidth") <= size[0]
-    wide = new_page.page.evaluate("Math.max(...[...document.querySelectorAll('.wb-figure')].map(f => f.scrollWidth - f.clientWidth))")
+    wide = new_page.page.evaluate(
+        "Math.max(...[...document.querySelectorAll('.wb-figure')].map(f => f.scrollWidth - f.clientWidth))"
+    )
     assert wide <= 1
 
 
@@ -81,7 +84,8 @@ def test_refused_input_is_explained_beside_its_control_and_greys_the_figures(new
 def test_every_control_has_a_name(new_page):
     unnamed = new_page.page.evaluate(
         """() => [...document.querySelectorAll('.wb-page input, .wb-page select, .wb-page button')]
-        .filter(e => !(e.labels?.length || e.getAttribute('aria-label') || e.textContent.trim() || e.title || e.hidden))
+        .filter(e => !(e.labels?.length || e.getAttribute('aria-label') ||
+            e.textContent.trim() || e.title || e.hidden))
         .map(e => e.outerHTML)"""
     )
     assert unnamed == []
@@ -102,7 +106,8 @@ def test_each_tab_shows_its_figures(new_page, title):
     new_page.open_tab(title)
     assert new_page.wait(
         lambda: new_page.page.evaluate(
-            "[...document.querySelectorAll('.wb-picture')].filter(p => p.offsetParent).every(p => p.querySelector('img').naturalWidth > 0 && !p.closest('.wb-is-old'))"
+            "[...document.querySelectorAll('.wb-picture')].filter(p => p.offsetParent).every(p => "
+            "p.querySelector('img').naturalWidth > 0 && !p.closest('.wb-is-old'))"
             " && [...document.querySelectorAll('.wb-picture')].some(p => p.offsetParent)"
         )
     )

@@ -13,7 +13,7 @@ import traitlets
 
 from workbench.app.job import Job
 from workbench.app.model import Counted, Findings, Model
-from workbench.app.reading import Case
+from workbench.app.reading import Case, control_named
 from workbench.errors import InputError
 
 WORKERS = 2
@@ -72,7 +72,7 @@ class Desk(traitlets.HasTraits):
         self.post()
 
     def settle(self, timeout: float = 60.0) -> bool:
-        """Wait until nothing is left to do (for tests and notebooks); False if it takes longer than this [s]."""
+        """Wait until nothing is left to do (for tests); False if it takes longer than this [s]."""
         import time
 
         end = time.monotonic() + timeout
@@ -107,12 +107,15 @@ class Desk(traitlets.HasTraits):
             return
         if case.response_key != self._ship_key:
             self.is_current = False
-            if case.response_key != self._stopped_key and not self._has_failed(case):
+            if self._has_failed(case):
+                self._explain_failure()
+            elif case.response_key != self._stopped_key:
                 self._send_for_ship(case)
             self._show(is_newest)
             return
-        if self.hull_job.state == "running" and self.hull_job.key != case.response_key:
+        if self.hull_job.key != case.response_key:
             self.hull_job.cancel()
+            self.hull_job.clear()
         self._stopped_key = None
         if not self._follow(case):
             self._show(is_newest)
@@ -124,6 +127,12 @@ class Desk(traitlets.HasTraits):
 
     def _has_failed(self, case: Case) -> bool:
         return self.hull_job.state == "failed" and self.hull_job.key == case.response_key
+
+    def _explain_failure(self) -> None:
+        """Put what was refused at its control."""
+        if isinstance(self.hull_job.failure, InputError):
+            sentence = self.hull_job.error
+            self.model.problems = {control_named(sentence, self.model.base, "masses"): sentence}
 
     def _send_for_ship(self, case: Case) -> None:
         from workbench import pipeline
@@ -167,8 +176,7 @@ class Desk(traitlets.HasTraits):
                 )
         except InputError as error:
             self.is_current = False
-            name = "heading_degrees" if "direction" in str(error) else "clearance"
-            self.model.problems = {name: str(error)}
+            self.model.problems = {control_named(str(error), self.model.base, "run"): str(error)}
             return False
         self.model.findings = Findings(case, self._ship, relative, slam, curve)
         return True

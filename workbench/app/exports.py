@@ -20,7 +20,8 @@ def heading_lines(case: Case) -> list[str]:
     lines = [
         f"workbench {__version__}",
         f"design: {design.name} {design.title}".rstrip(),
-        f"speed: {condition.speed:.6g} m/s; wave direction: {np.degrees(condition.wave_direction):.6g} deg (180 head seas)",
+        f"speed: {condition.speed:.6g} m/s; wave direction: {np.degrees(condition.wave_direction):.6g} "
+        f"deg (180 head seas)",
         f"sea: {sea.spectrum}, significant wave height {sea.significant_wave_height:.6g} m, peak period "
         f"{sea.peak_period:.6g} s, spreading exponent {sea.spreading_exponent}",
     ]

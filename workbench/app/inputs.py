@@ -120,7 +120,8 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
         step = others.pop("step", None) or slider_step(high - low)
         low = round(low / step) * step
         return Input(
-            name=name, label=label, group=group, low=rounded_to(low, 10), high=rounded_to(round(high / step) * step, 10),
+            name=name, label=label, group=group, low=rounded_to(low, 10),
+            high=rounded_to(round(high / step) * step, 10),
             step=step, **others,
         )  # fmt: skip
 
@@ -149,12 +150,15 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
             ),
         ),
         number(
-            "wave_height", "Significant height Hs [m]", "sea", 0.02 * rounded_to(length / 10), rounded_to(length / 8),
+            "wave_height", "Significant height Hs [m]", "sea", 0.02 * rounded_to(length / 10),
+            rounded_to(length / 8),
             phrases=("significant_wave_height",),
         ),
         Input(
             name="period_kind", label="Period given as", group="sea", kind="choice",
-            choices=(("peak", "peak period Tp"), ("mean", "mean period T01"), ("zero", "zero-crossing period T02")),
+            choices=(
+                ("peak", "peak period Tp"), ("mean", "mean period T01"), ("zero", "zero-crossing period T02"),
+            ),
             shown_if=(("spectrum", ("bretschneider", "jonswap")),),
         ),
         number(
@@ -167,7 +171,8 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
             choices=tuple((name, _SPECTRUM_WORDS[name]) for name in SPECTRA if name in _SPECTRUM_WORDS),
         ),
         number(
-            "peak_enhancement", "Peak enhancement γ [-]", "sea", 1, 10, step=0.1, phrases=("peak_enhancement",),
+            "peak_enhancement", "Peak enhancement γ [-]", "sea", 1, 10, step=0.1,
+            phrases=("peak_enhancement",),
             shown_if=(("spectrum", ("jonswap",)),),
         ),
         Input(
@@ -180,7 +185,8 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
         Input(
             name="threshold_kind", label="Least entry velocity", group="slams", kind="choice",
             choices=(
-                ("none", "none: every entry counts"), ("ochi", "Ochi: 0.093 √(gL)"), ("value", "as given below"),
+                ("none", "none: every entry counts"), ("ochi", "Ochi: 0.093 √(gL)"),
+                ("value", "as given below"),
             ),
         ),
         number(
@@ -203,15 +209,17 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
     if design.hull.count > 1:
         found.append(
             number(
-                "spacing", "Spacing of the hulls' centre planes [m]", "hull", 1.05 * design.hull.shape.beam, 2 * design.hull.spacing,
-                phrases=("spacing", "width of the wet deck"),
+                "spacing", "Spacing of the hulls' centre planes [m]", "hull", 1.05 * design.hull.shape.beam,
+                2 * design.hull.spacing,
+                phrases=("spacing",),
             )
         )  # fmt: skip
     tonnes = masses.mass / 1e3
     found += [
         number("mass", "Mass [t]", "masses", 0.8 * tonnes, 1.2 * tonnes, phrases=("mass",)),
         number(
-            "centre_height", "Centre of gravity above keel KG [m]", "masses", 0, 4 * design.hull.shape.draught,
+            "centre_height", "Centre of gravity above keel KG [m]", "masses", 0,
+            4 * design.hull.shape.draught,
             phrases=("height of the centre", "z of the centre"),
         ),
         number(
@@ -220,7 +228,8 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
         ),
         *(
             number(
-                f"{mode}_gyradius", f"{mode.capitalize()} gyradius [m]", "masses", 0.3 * getattr(masses, f"{mode}_gyradius"),
+                f"{mode}_gyradius", f"{mode.capitalize()} gyradius [m]", "masses",
+                0.3 * getattr(masses, f"{mode}_gyradius"),
                 2 * getattr(masses, f"{mode}_gyradius"), phrases=(f"{mode} gyradius",),
             )
             for mode in ("roll", "pitch", "yaw")

@@ -27,7 +27,7 @@ class Job(traitlets.HasTraits):
     ----------
     state : 'idle', 'running', 'finished', 'failed' or 'cancelled'.
     progress : 0 to 1; message : what is being done, with the time left once it is known.
-    error : one sentence when failed.
+    error : one sentence when failed; ``failure`` is the exception.
     """
 
     state = traitlets.Enum(("idle", "running", "finished", "failed", "cancelled"), "idle")
@@ -39,6 +39,7 @@ class Job(traitlets.HasTraits):
         super().__init__()
         self.name = name
         self.key: Hashable = None
+        self.failure: Exception | None = None
         self._condition = threading.Condition()
         self._waiting: tuple[int, Hashable, Work, Callable[[Any], None], float] | None = None
         self._newest = 0
@@ -79,6 +80,13 @@ class Job(traitlets.HasTraits):
         self.state = "cancelled"
         self.message = ""
 
+    def clear(self) -> None:
+        """Forget a failure or a cancellation."""
+        if self.state != "running":
+            self.error = self.message = ""
+            self.failure = None
+            self.state = "idle"
+
     def _is_wanted(self, number: int) -> bool:
         return number == self._newest
 
@@ -118,6 +126,7 @@ class Job(traitlets.HasTraits):
             return
         except Exception as error:
             if self._is_wanted(number):
+                self.failure = error
                 self.error = str(error) or type(error).__name__
                 self.state = "failed"
             return

@@ -25,10 +25,12 @@ from workbench.app.panels.slamming import SlammingPanel
 from workbench.app.reading import inputs_of
 from workbench.app.verdict import heading_words
 from workbench.conventions import GRAVITY, KNOT
+from workbench.errors import InputError
 from workbench.hulls import library
 
 PERMALINK = (
-    "clearance", "speed_knots", "heading_degrees", "wave_height", "period", "period_kind", "spectrum", "spreading",
+    "clearance", "speed_knots", "heading_degrees", "wave_height", "period", "period_kind", "spectrum",
+    "spreading",
     "criterion", "threshold_kind", "threshold", "law",
 )  # fmt: skip
 """Inputs that the address of the page holds."""
@@ -165,7 +167,8 @@ class Page:
             notes["speed_knots"] = (
                 f"Froude number {speed / np.sqrt(GRAVITY * self.model.base.hull.length):.2f}"
             )
-            notes["heading_degrees"] = f"{heading_words(float(inputs['heading_degrees']))} (0 following, 90 beam, 180 head)"
+            words = heading_words(float(inputs["heading_degrees"]))
+            notes["heading_degrees"] = f"{words} (0 following, 90 beam, 180 head)"
         except (TypeError, ValueError):
             pass
         return notes
@@ -193,6 +196,7 @@ class Page:
             head.busy = busy is not None
             head.progress = busy.progress if busy else 0.0
             failed = next((job for job in (hull, count) if job.state == "failed"), None)
+            explained = failed is not None and isinstance(failed.failure, InputError)
             if busy is not None:
                 words = "Solving the waves about the hull" if busy is hull else "Counting slams"
                 head.task = (
@@ -201,7 +205,7 @@ class Page:
                     else busy.message or f"{words} …"
                 )
                 head.action = "stop"
-            elif failed is not None:
+            elif failed is not None and not explained:
                 head.task, head.action = failed.error, "resume"
             elif hull.state == "cancelled":
                 head.task, head.action = "Stopped. The results below belong to former inputs.", "resume"
@@ -220,9 +224,11 @@ def app() -> widgets.Widget:
         return widgets.HTML(
             "<div role='alert' style='max-width:720px;margin:60px auto;font:16px/1.5 system-ui,sans-serif'>"
             "<h1 style='font-size:22px'>The workbench could not start</h1>"
-            f"<p>{html.escape(str(error) or type(error).__name__)}</p><p>Reload the page; if this stays, send the account "
+            f"<p>{html.escape(str(error) or type(error).__name__)}</p><p>Reload the page; if this "
+            f"stays, send the account "
             "below to whoever runs this workbench.</p>"
-            f"<details><summary>Account</summary><pre style='white-space:pre-wrap'>{account}</pre></details></div>"
+            f"<details><summary>Account</summary><pre "
+            f"style='white-space:pre-wrap'>{account}</pre></details></div>"
         )
     page.widget.page = page
     page.desk.post()

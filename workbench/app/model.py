@@ -1,4 +1,4 @@
-"""The state of one page: inputs in the user's units, what is wrong with them, and results. Traits alone, no widgets."""
+"""The state of one page, without widgets: inputs in the user's units, what is wrong with them, results."""
 
 from __future__ import annotations
 
@@ -60,7 +60,8 @@ class Model(traitlets.HasTraits):
 
     Attributes
     ----------
-    design_name : of the library, or 'loaded'; base : the design as chosen or loaded, before any change on the page.
+    design_name : of the library, or 'loaded'; base : the design as chosen or loaded,
+    before any change on the page.
     inputs : name to value, in the units of the labels (numbers may still be text while they are typed).
     problems : name of a control to the sentence why it cannot be used; empty when all can.
     notice : a sentence about what was done for the reader.

@@ -1,4 +1,4 @@
-"""From the inputs of the page to a validated case, and from a design to inputs; refusals name their control."""
+"""From inputs to a validated case, and from a design to inputs; refusals name their control."""
 
 import dataclasses
 import math
@@ -6,7 +6,7 @@ import tomllib
 from dataclasses import dataclass
 from typing import Any
 
-from workbench.app.inputs import CONDITION_DEFAULTS, DECK_LENGTHS, OWN_SEA, Input, inputs_for, rounded_to
+from workbench.app.inputs import CONDITION_DEFAULTS, DECK_LENGTHS, OWN_SEA, inputs_for, rounded_to
 from workbench.conventions import GRAVITY, KNOT
 from workbench.design import Design
 from workbench.errors import InputError, checked_number
@@ -67,7 +67,8 @@ class Case:
     def counting_key(self) -> tuple:
         """What the counted slams depend on."""
         return (
-            self.response_key, self.design.wet_deck, self.condition, self.threshold, self.law, (self.hours, self.seed),
+            self.response_key, self.design.wet_deck, self.condition, self.threshold, self.law,
+            (self.hours, self.seed),
         )  # fmt: skip
 
 
@@ -119,7 +120,7 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
         try:
             return make()
         except InputError as error:
-            refused.setdefault(_control_named(str(error), controls, _GROUP_OF_PART[name]), str(error))
+            refused.setdefault(control_named(str(error), base, _GROUP_OF_PART[name]), str(error))
             return None
 
     def number(name: str, factor: float = 1.0) -> float:
@@ -213,7 +214,8 @@ def changed_inputs(inputs: dict[str, Any], name: str, value: Any) -> dict[str, A
         preset = next((one for one in sea_presets() if one.name == value), None)
         if preset is not None:
             new |= {
-                "wave_height": preset.significant_wave_height, "period": preset.peak_period, "period_kind": "peak",
+                "wave_height": preset.significant_wave_height, "period": preset.peak_period,
+                "period_kind": "peak",
                 "spectrum": "bretschneider",
             }  # fmt: skip
     elif name in ("wave_height", "period", "spectrum", "period_kind"):
@@ -250,7 +252,8 @@ def uploaded_design(text: str) -> Design:
     shapes = [hull.get(name) for name in ("shape", "centre_shape")] if isinstance(hull, dict) else []
     if any(isinstance(shape, dict) and "file" in shape for shape in shapes):
         raise InputError(
-            "design file must hold its stations or faces itself when it is loaded here, this one names another file; "
+            "design file must hold its stations or faces itself when it is loaded here, this one names "
+            "another file; "
             "save it whole with the command line first."
         )
     return design_from_toml(text + "\n")
@@ -279,16 +282,17 @@ def _as_number(value: Any) -> Any:
     return value
 
 
-def _control_named(sentence: str, controls: tuple[Input, ...], group: str) -> str:
-    """Return the name of the control that a sentence is about: the longest phrase that it holds."""
+def control_named(sentence: str, base: Design, group: str) -> str:
+    """Return the name of the control that a sentence is about: the one it names first, and at most length."""
     lowered = sentence.lower()
+    controls = inputs_for(base)
     found = [
-        (len(phrase), control.group == group, control.name)
+        (lowered.find(phrase.lower()), -len(phrase), control.group != group, control.name)
         for control in controls
-        for phrase in (*control.phrases, control.label.split(" [")[0].lower())
-        if phrase and phrase.lower() in lowered
+        for phrase in (*control.phrases, control.label.split(" [")[0])
+        if phrase.lower() in lowered
     ]
     if found:
-        return max(found)[2]
+        return min(found)[3]
     own = [control.name for control in controls if control.group == group]
     return own[0] if own else "design"

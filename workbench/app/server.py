@@ -76,7 +76,7 @@ def voila_arguments(port: int, open_browser: bool, pool_size: int = POOL_SIZE) -
 
 
 def environment() -> dict[str, str]:
-    """Environment in which Jupyter finds the template of the page, also in a folder that was never installed."""
+    """Environment in which Jupyter finds the template of the page, also from a clone."""
     known = [part for part in os.environ.get("JUPYTER_PATH", "").split(os.pathsep) if part]
     return {
         **os.environ,

@@ -48,7 +48,7 @@ def verdict(
     least_clearance: float,
     criterion_per_hour: float,
 ) -> str:
-    """One sentence with numbers: how often this deck slams, where worst, and what clearance meets the criterion.
+    """One sentence: how often this deck slams, where worst, and what clearance meets the criterion.
 
     Parameters
     ----------
@@ -56,7 +56,8 @@ def verdict(
     clearance, least_clearance : present, and least that meets the criterion [m].
     """
     where = (
-        f"{'At rest' if speed_knots == 0 else f'At {speed_knots:.3g} kn'} in Hs {significant_wave_height:.3g} m, "
+        f"{'At rest' if speed_knots == 0 else f'At {speed_knots:.3g} kn'} in Hs "
+        f"{significant_wave_height:.3g} m, "
         f"{heading_words(heading_degrees)},"
     )
     allowed = f"{criterion_per_hour:.3g} per hour"
@@ -69,7 +70,8 @@ def verdict(
     )  # fmt: skip
     slams = f"this deck slams {rate_words(slams_per_hour)}, {place}"
     if slams_per_hour > criterion_per_hour:
-        return f"{where} {slams}; {length_words(max(least_clearance - clearance, 0.0))} more clearance meets {allowed}."
+        missing = length_words(max(least_clearance - clearance, 0.0))
+        return f"{where} {slams}; {missing} more clearance meets {allowed}."
     return f"{where} {slams}, and meets {allowed}; {_spare_words(spare, least_clearance, allowed)}."
 
 

@@ -20,7 +20,7 @@ def clearance_figure(
     criterion_per_hour: float,
     least_clearance: float,
 ) -> Figure:
-    """Slams per hour against clearance, with the criterion, the present clearance and the least that meets it.
+    """Slams per hour against clearance, with criterion, present clearance and the least that meets it.
 
     Parameters
     ----------
@@ -38,12 +38,15 @@ def clearance_figure(
         axes.plot(curve.clearance.values, np.maximum(rates, lowest / 100), color=style.ACCENT)
         axes.axhline(criterion_per_hour, color="#4b6b3c", linestyle="--", linewidth=1.4)
         axes.text(
-            1.0, criterion_per_hour, f"criterion {criterion_per_hour:g} /h", transform=axes.get_yaxis_transform(),
+            1.0, criterion_per_hour, f"criterion {criterion_per_hour:g} /h",
+            transform=axes.get_yaxis_transform(),
             ha="right", va="bottom", color="#3a5530", fontsize=10.5,
         )  # fmt: skip
         axes.plot(
-            clearance, np.clip(slams_per_hour, lowest, highest), marker="o", markersize=9, linestyle="", color=style.WARM,
-            label=f"now {style.number_words(clearance)} m: {style.number_words(slams_per_hour)} /h", clip_on=False, zorder=5,
+            clearance, np.clip(slams_per_hour, lowest, highest), marker="o", markersize=9, linestyle="",
+            color=style.WARM,
+            label=f"now {style.number_words(clearance)} m: {style.number_words(slams_per_hour)} /h",
+            clip_on=False, zorder=5,
         )  # fmt: skip
         if curve.clearance.values[0] <= least_clearance <= curve.clearance.values[-1]:
             axes.plot(

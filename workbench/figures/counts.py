@@ -1,4 +1,4 @@
-"""Does counting agree: slams counted in a realisation against the closed form, and their classes of velocity."""
+"""Does counting agree: slams counted against the closed form, and their classes of velocity."""
 
 import matplotlib as mpl
 import numpy as np
@@ -26,7 +26,8 @@ def counts_figure(
         figure = style.blank_figure()
         axes = style.single_axes(figure)
         axes.errorbar(
-            x, number, yerr=[np.maximum(number - low, 0), np.maximum(high - number, 0)], fmt="o", markersize=4,
+            x, number, yerr=[np.maximum(number - low, 0), np.maximum(high - number, 0)], fmt="o",
+            markersize=4,
             color=style.WARM, elinewidth=1.1, capsize=2, label="counted, 99 % band",
         )  # fmt: skip
         axes.plot(x, exact.slams_per_hour.values, color=style.ACCENT, label="closed form", zorder=4)

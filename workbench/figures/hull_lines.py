@@ -17,7 +17,7 @@ _SKIN = "#c9d6de"
 
 
 def body_plan_figure(sections: HullSections) -> Figure:
-    """Wetted sections of one hull about its own centre plane: fore half to the right, aft half to the left."""
+    """Wetted sections of one hull about its own centre plane: fore half right, aft half left."""
     aft, fore = sections.x[0], sections.x[-1]
     middle = (aft + fore) / 2
     with mpl.rc_context(style.STYLE):

@@ -1,1 +1,1 @@
-"""The tabs of the page, one module each; a panel builds its widgets when it is first shown, and only links."""
+"""The tabs of the page, one module each; a panel builds its widgets when first shown, and only links."""

@@ -41,7 +41,8 @@ class AnimationPanel(SlammingPanel):
         fits = is_current and self.model.scene_key == self.model.findings.case.counting_key
         (self.sea_view.remove_class if fits else self.sea_view.add_class)("wb-is-old")
         self.note.value = (
-            "<p class='wb-note'>Linear motions in a stretch of the sea about the hardest slam that was counted. The deck shows "
+            "<p class='wb-note'>Linear motions in a stretch of the sea about the hardest slam that was "
+            "counted. The deck shows "
             "the peak pressure of the latest entry of each point while it stays in the water. "
             "Space plays, the arrow keys step.</p>"
             if fits

@@ -24,9 +24,13 @@ class DesignPanel(Panel):
         self.afloat, self.sources = card(), card()
         self.sources.add_class("wb-wide")
         self.drawings = [
-            Drawing(self.arrangement, self._key, self._arrangement_figure, lambda: "Profile and plan of hulls and wet deck, to scale."),
             Drawing(
-                self.body, lambda: self.model.findings.ship, self._body_figure, lambda: "Wetted sections of one hull.",
+                self.arrangement, self._key, self._arrangement_figure,
+                lambda: "Profile and plan of hulls and wet deck, to scale.",
+            ),
+            Drawing(
+                self.body, lambda: self.model.findings.ship, self._body_figure,
+                lambda: "Wetted sections of one hull.",
                 lambda: quantities.warnings_of(self.model.findings.ship.hydrostatics),
             ),
         ]  # fmt: skip
@@ -77,14 +81,18 @@ class DesignPanel(Panel):
         self.afloat.value = table("Hydrostatics as it floats", ("quantity", "value"), rows)
         standings = {"published": "published", "derived": "derived", "ours": "our own choice"}
         body = "".join(
-            f"<tr><td>{escape(quantity)}</td><td>{escape(value)}</td><td><span class='wb-tag wb-{escape(standing)}'>"
+            f"<tr><td>{escape(quantity)}</td><td>{escape(value)}</td><td><span class='wb-tag "
+            f"wb-{escape(standing)}'>"
             f"{standings[standing]}</span></td><td>{escape(source)}</td></tr>"
             for quantity, value, source, standing in self.model.base.provenance
         )
         self.sources.value = (
-            f"<h2>Where the figures of {escape(design.title or design.name)} come from</h2><div class='wb-scroll'>"
-            "<table class='wb-table wb-sources'><thead><tr><th scope='col'>quantity</th><th scope='col'>value</th>"
-            f"<th scope='col'>standing</th><th scope='col'>source</th></tr></thead><tbody>{body}</tbody></table></div>"
+            f"<h2>Where the figures of {escape(design.title or design.name)} come from</h2><div "
+            f"class='wb-scroll'>"
+            "<table class='wb-table wb-sources'><thead><tr><th scope='col'>quantity</th><th "
+            "scope='col'>value</th>"
+            f"<th scope='col'>standing</th><th "
+            f"scope='col'>source</th></tr></thead><tbody>{body}</tbody></table></div>"
             if body
             else "<h2>Sources</h2><p class='wb-note'>This design names no sources.</p>"
         )

@@ -28,7 +28,8 @@ class FilesPanel(Panel):
     def build(self):
         """Make the buttons, by what they are for."""
         groups = (
-            ("Design and inputs", "The design opens again in this page and in the command line; the inputs are those of the page.",
+            ("Design and inputs",
+             "The design opens again in this page and in the command line; the inputs are those of the page.",
              (("Design (TOML)", self._design), ("Inputs (JSON)", self._inputs))),
             ("Motions", "All six motions at all computed headings.",
              (("Motions (CSV)", self._motions_csv), ("Motions (netCDF)", self._motions_netcdf))),

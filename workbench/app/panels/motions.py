@@ -86,7 +86,9 @@ class MotionsPanel(Panel):
                 )
             )
         self.statistics.value = table(
-            "Motions in this sea", ("at the centre of gravity", "motion σ", "velocity σ", "acceleration σ", "significant double amplitude 4σ"),
+            "Motions in this sea",
+            ("at the centre of gravity", "motion σ", "velocity σ", "acceleration σ",
+             "significant double amplitude 4σ"),
             rows, "σ: standard deviation.",
         )  # fmt: skip
 

@@ -121,4 +121,7 @@ def table(heading: str, columns: tuple[str, ...], rows: list[tuple[str, ...]], n
     head = "".join(f"<th scope='col'>{escape(column)}</th>" for column in columns)
     body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
     below = f"<p class='wb-note'>{escape(note)}</p>" if note else ""
-    return f"<h2>{escape(heading)}</h2><div class='wb-scroll'><table class='wb-table'><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>{below}"
+    return (
+        f"<h2>{escape(heading)}</h2><div class='wb-scroll'><table class='wb-table'><thead><tr>{head}</tr>"
+        f"</thead><tbody>{body}</tbody></table></div>{below}"
+    )

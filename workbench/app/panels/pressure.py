@@ -102,7 +102,8 @@ class PressurePanel(SlammingPanel):
             )  # fmt: skip
         self.hardest.value = table(
             "The hardest slams", ("", "time", "x", "velocity", "angle", "peak pressure"), rows,
-            "Velocity and angle at the entry with the largest pressure of each slam; entries less than a quarter of the "
+            "Velocity and angle at the entry with the largest pressure of each slam; entries less than "
+            "a quarter of the "
             "peak period apart are one slam.",
         )  # fmt: skip
 
@@ -119,7 +120,10 @@ class PressurePanel(SlammingPanel):
     def _expected_words(self):
         slam = self.model.findings.slam
         top = float(slam.statistics.most_probable_peak_pressure.max()) / 1e3
-        return f"Plan of the deck with the most probable largest peak pressure in {slam.hours:g} h, at most {number_words(top)} kPa."
+        return (
+            f"Plan of the deck with the most probable largest peak pressure in {slam.hours:g} h, at most "
+            f"{number_words(top)} kPa."
+        )
 
     def _event_key(self):
         counted = self._counted()
@@ -139,9 +143,11 @@ class PressurePanel(SlammingPanel):
         field = slam_pressure(counted.events, group, slam.deck)
         hardest = _hardest(counted.events, group)
         words = (
-            f"{len(group)} entries about {float(hardest.event_time):.1f} s; the hardest, at x {number_words(hardest.event_x)} m, "
+            f"{len(group)} entries about {float(hardest.event_time):.1f} s; the hardest, at x "
+            f"{number_words(hardest.event_x)} m, "
             f"y {number_words(hardest.event_y)} m, enters at {number_words(hardest.entry_velocity)} m/s and "
-            f"{np.degrees(float(hardest.entry_angle)):.2g} degrees and reaches {number_words(hardest.peak_pressure / 1e3)} kPa."
+            f"{np.degrees(float(hardest.entry_angle)):.2g} degrees and reaches "
+            f"{number_words(hardest.peak_pressure / 1e3)} kPa."
         )
         return (field, hardest), words
 

@@ -1,7 +1,5 @@
 """Slamming: where, how often, what clearance helps, and whether counting agrees."""
 
-import numpy as np
-
 from workbench import quantities
 from workbench.app.panels.panel import Drawing, Panel, card, grid, table
 from workbench.figures.clearance import clearance_figure
@@ -31,7 +29,8 @@ class SlammingPanel(Panel):
         """Make figures and table."""
         self.plan = self.view(
             "Where the deck slams", "slams-on-deck", wide=True,
-            choices=[["field", "Quantity drawn", [list(pair) for pair in SHOWN]]], chosen={"field": "slams_per_hour"},
+            choices=[["field", "Quantity drawn", [list(pair) for pair in SHOWN]]],
+            chosen={"field": "slams_per_hour"},
         )  # fmt: skip
         self.curve = self.view("How much clearance", "clearance")
         self.counts = self.view("Counted against closed form", "counted-slams")
@@ -64,13 +63,16 @@ class SlammingPanel(Panel):
         is_rate = name == "slams_per_hour"
         return deck_plan_figure(
             slam.statistics[name], slam.deck,
-            mark=(float(worst.x), float(worst.y)), mark_label=f"worst point: {number_words(worst.slams_per_hour)} /h",
-            line_at=slam.criterion_per_hour if is_rate else None, line_label=f"criterion {slam.criterion_per_hour:g} /h",
+            mark=(float(worst.x), float(worst.y)),
+            mark_label=f"worst point: {number_words(worst.slams_per_hour)} /h",
+            line_at=slam.criterion_per_hour if is_rate else None,
+            line_label=f"criterion {slam.criterion_per_hour:g} /h",
             nothing="this deck does not slam in this sea",
         )  # fmt: skip
 
     def _plan_words(self):
-        return f"Plan of the wet deck with contours of {dict(SHOWN)[self.plan.chosen['field']]}. {self.model.verdict()}"
+        field = dict(SHOWN)[self.plan.chosen["field"]]
+        return f"Plan of the wet deck with contours of {field}. {self.model.verdict()}"
 
     def _plan_notes(self):
         return quantities.warnings_of(self.model.findings.slam.statistics)
@@ -85,7 +87,8 @@ class SlammingPanel(Panel):
 
     def _curve_words(self):
         slam = self.model.findings.slam
-        return f"Slams per hour at the worst point against clearance; {number_words(slam.least_clearance)} m meets the criterion."
+        least = number_words(slam.least_clearance)
+        return f"Slams per hour at the worst point against clearance; {least} m meets the criterion."
 
     def _counted(self):
         counted, found = self.model.counted, self.model.findings
@@ -119,7 +122,8 @@ class SlammingPanel(Panel):
     def _counts_notes(self):
         counted = self._counted()
         return (
-            f"At {100 * self.share_within():.0f} % of the {counted.counts.counted_per_hour.size} points of the deck the "
+            f"At {100 * self.share_within():.0f} % of the {counted.counts.counted_per_hour.size} "
+            f"points of the deck the "
             "closed form lies within the 99 % sampling band of the count.",
             *quantities.warnings_of(counted.counts),
         )
@@ -169,4 +173,3 @@ class SlammingPanel(Panel):
             ("deck that slams more often than allowed", f"{100 * share:.0f} %"),
         ]
         self.numbers.value = table("The worst point", ("quantity", "value"), rows)
-

@@ -1,0 +1,195 @@
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from workbench.app.inputs import inputs_for, slider_step
+from workbench.app.model import LOADED, Model
+from workbench.app.reading import Problems, case_of, inputs_of, uploaded_design, usual_inputs
+from workbench.conventions import KNOT
+from workbench.errors import InputError
+from workbench.files import design_to_toml
+from workbench.hulls import library
+
+
+@pytest.fixture
+def model():
+    return Model()
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_page_shows_each_design_of_the_library_without_changing_it(name):
+    design = library.design(name)
+    case = case_of(design, usual_inputs(design) | inputs_of(design))
+    assert case.design == design
+    names = {one.name for one in inputs_for(design)}
+    assert set(inputs_of(design)) <= names
+    for one in inputs_for(design):
+        if one.kind == "number" and one.low is not None:
+            assert one.low < one.high
+            assert one.step > 0
+
+
+def test_units_of_the_page(model):
+    model.change("speed_knots", 20)
+    model.change("heading_degrees", 150)
+    model.change("mass", 1300)
+    case = model.case()
+    assert case.condition.speed == pytest.approx(20 * KNOT)
+    assert case.condition.wave_direction == pytest.approx(np.radians(150))
+    assert case.design.masses.mass == pytest.approx(1.3e6)
+    model.change("centre_height", 7.0)
+    height = model.case().design.masses.centre_of_gravity[2]
+    assert height == pytest.approx(7.0 - model.base.hull.shape.draught)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("clearance", -1, "clearance"), ("clearance", "high", "number"), ("wave_height", 0, "> 0"),
+        ("period", 1.0, "steeper waves break"), ("speed_knots", -3, "speed"), ("heading_degrees", 400, "360"),
+        ("criterion", 0, "criterion"), ("hours", "nan", "number"), ("seed", 1.5, "whole number"),
+        ("spacing", 3.0, "touch"), ("mass", 0, "mass"), ("pitch_gyradius", 500, "gyradius"),
+        ("deck_fore", -50, "fore end"), ("deck_width", 90, "width"), ("corner_radius", 50, "corner radius"),
+        ("camber", -1, "camber"),
+    ],
+)  # fmt: skip
+def test_refused_input_is_a_sentence_at_its_control(model, name, value, words):
+    model.change(name, value)
+    assert model.case() is None
+    assert list(model.problems) == [name]
+    assert words in model.problems[name]
+    assert model.blockers == tuple(model.problems.values())
+    model.change(name, Model().inputs[name])
+    assert model.case() is not None
+    assert model.problems == {}
+
+
+def test_two_problems_stand_at_two_controls(model):
+    model.change("wave_height", -1)
+    model.change("spacing", 0)
+    assert model.case() is None
+    assert set(model.problems) == {"wave_height", "spacing"}
+
+
+def test_numbers_with_a_comma_are_read(model):
+    model.change("wave_height", "2,5")
+    assert model.case().condition.sea_state.significant_wave_height == 2.5
+
+
+def test_state_goes_round_through_json(model):
+    changes = {"clearance": 3.1, "spectrum": "jonswap", "heading_degrees": 150, "camber": 0.2}
+    for name, value in changes.items():
+        model.change(name, value)
+    other = Model()
+    assert other.restore(json.loads(json.dumps(model.state()))) == []
+    assert other.case() == model.case()
+    assert other.state() == model.state()
+
+
+def test_state_of_a_loaded_design_goes_round(model):
+    text = design_to_toml(library.design("delft-372")).replace("Delft 372", "My own")
+    model.load(text)
+    assert model.design_name == LOADED
+    model.change("clearance", 0.1)
+    other = Model()
+    assert other.restore(json.loads(json.dumps(model.state()))) == []
+    assert other.base.title.startswith("My own")
+    assert other.case() == model.case()
+
+
+def test_state_from_elsewhere_is_checked(model):
+    before = model.case()
+    ignored = model.restore(
+        {"design": "no-such-ship", "inputs": {"law": "magic", "os": "x", "hours": [1], "clearance": "3.3"}}
+    )
+    assert len(ignored) == 4
+    assert model.base == before.design
+    assert model.case().design.wet_deck.clearance == 3.3
+
+
+def test_loading_rubbish_changes_nothing(model):
+    before = model.case()
+    for text in ("x = [", "name = 'a'", "\n", "x=1\n" * 2_000_000):
+        model.load(text)
+        assert "design" in model.problems
+        assert model.case() == before
+
+
+def test_uploaded_file_may_not_name_files_of_the_server():
+    text = 'name = "x"\n[hull]\ncount = 1\n[hull.shape]\nkind = "offsets"\nfile = "/etc/passwd"\n'
+    with pytest.raises(InputError, match="names another file"):
+        uploaded_design(text)
+
+
+def test_preset_sets_the_sea_and_a_change_makes_it_ones_own(model):
+    model.change("preset", "Sea state 5")
+    sea = model.case().condition.sea_state
+    assert (sea.significant_wave_height, sea.peak_period) == (3.25, 9.7)
+    model.change("wave_height", 3.0)
+    assert model.inputs["preset"] == "own"
+
+
+@pytest.mark.parametrize("kind", ["mean", "zero"])
+def test_another_kind_of_period_is_the_same_sea(model, kind):
+    peak = model.case().condition.sea_state.peak_period
+    model.change("period_kind", kind)
+    assert float(model.inputs["period"]) < peak
+    assert model.case().condition.sea_state.peak_period == pytest.approx(peak, rel=1e-3)
+
+
+def test_pierson_moskowitz_takes_its_own_period(model):
+    model.change("spectrum", "pierson-moskowitz")
+    model.change("wave_height", 2.0)
+    assert model.case().condition.sea_state.peak_period == pytest.approx(5.0 * np.sqrt(2.0), rel=0.01)
+
+
+def test_ship_of_another_size_gets_another_sea_and_one_alike_does_not(model):
+    model.change("wave_height", 2.2)
+    model.choose("incat-061")
+    assert model.inputs["wave_height"] == 2.2
+    assert model.notice == ""
+    model.choose("delft-372")
+    assert model.inputs["wave_height"] < 0.3
+    assert "3 m" in model.notice
+
+
+def test_design_without_wet_deck_has_no_controls_for_it(model):
+    model.choose("cofea")
+    assert "clearance" not in model.inputs
+    assert model.case().design.wet_deck is None
+
+
+def test_keys_say_what_must_be_computed_again(model):
+    first = model.case()
+    model.change("clearance", 3.0)
+    raised = model.case()
+    assert raised.plan_key == first.plan_key
+    assert raised.counting_key != first.counting_key
+    model.change("criterion", 10)
+    assert model.case().counting_key == raised.counting_key
+    assert model.case().slamming_key != raised.slamming_key
+    model.change("deck_fore", 30)
+    assert model.case().response_key == first.response_key
+    assert model.case().plan_key != first.plan_key
+    model.change("speed_knots", 18)
+    assert model.case().response_key != first.response_key
+
+
+def test_problems_are_an_exception_with_sentences(model):
+    with pytest.raises(Problems, match="must be"):
+        case_of(model.base, {**model.inputs, "wave_height": "x"})
+
+
+@pytest.mark.parametrize(("span", "step"), [(1.0, 0.005), (10, 0.05), (40, 0.2), (300, 2), (0.1, 0.0005)])
+def test_steps_of_sliders_are_round(span, step):
+    assert slider_step(span) == pytest.approx(step)
+
+
+def test_page_starts_without_the_heavy_packages():
+    heavy = "capytaine", "pyvista", "vtk", "vtkmodules"
+    code = f"import sys, workbench.app.main; print([m for m in {heavy} if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

@@ -1,0 +1,201 @@
+"""The page without a browser: model, desk and panels together, on a shipped design."""
+
+import time
+
+import numpy as np
+import pytest
+
+from workbench.app import main, server
+from workbench.app.main import app
+from workbench.hulls import library
+
+
+@pytest.fixture(scope="module")
+def page():
+    made = app().page
+    assert made.desk.settle(120)
+    assert made.desk.error == ""
+    return made
+
+
+def open_tab(page, title):
+    page.tabs.selected_index = next(i for i, panel in enumerate(page.panels) if panel.title == title)
+    assert page.desk.settle(60)
+    return page.panels[page.tabs.selected_index]
+
+
+def test_first_results(page):
+    panel = open_tab(page, "Slamming")
+    assert page.desk.is_current
+    assert page.head.verdict.startswith("At ")
+    assert page.head.tone in ("good", "bad")
+    for drawing in panel.drawings:
+        assert drawing.view.picture.startswith(b"\x89PNG")
+        assert not drawing.view.old
+        assert drawing.view.words
+    assert panel.plan.notes
+    assert panel.share_within() > 0.9
+
+
+def test_statistics_follow_a_slider_in_a_tenth_of_a_second(page):
+    open_tab(page, "Data")
+    times = []
+    for clearance in (3.0, 3.1, 3.2, 3.3, 3.4):
+        before = page.model.findings
+        start = time.perf_counter()
+        page.model.change("clearance", clearance)
+        while page.model.findings is before and time.perf_counter() - start < 5:
+            time.sleep(0.001)
+        times.append(time.perf_counter() - start)
+        assert page.desk.settle()
+    print("statistics:", ", ".join(f"{1e3 * one:.0f} ms" for one in times))
+    assert min(times) < 0.1
+
+
+def test_verdict_and_figure_change_with_the_clearance(page):
+    panel = open_tab(page, "Slamming")
+    page.model.change("clearance", 2.6)
+    assert page.desk.settle()
+    picture, verdict = panel.plan.picture, page.head.verdict
+    page.model.change("clearance", 4.0)
+    assert page.desk.settle()
+    assert panel.plan.picture != picture
+    assert page.head.verdict != verdict
+
+
+@pytest.mark.parametrize("title", ["Motions", "Pressure", "3-D", "Design", "Data"])
+def test_tabs(page, title):
+    panel = open_tab(page, title)
+    assert page.desk.error == ""
+    assert panel.message.value == ""
+    assert all(drawing.view.picture for drawing in panel.drawings)
+    if title == "3-D":
+        assert panel.sea_view.scene["count"] > 10
+
+
+def test_heading_that_is_not_computed_is_a_problem_and_greys(page):
+    panel = open_tab(page, "Slamming")
+    page.model.change("heading_degrees", 171)
+    assert page.desk.settle()
+    assert "heading_degrees" in page.model.problems
+    assert not page.desk.is_current
+    assert all(drawing.view.old for drawing in panel.drawings)
+    assert page.head.problems
+    page.model.change("heading_degrees", 150)
+    assert page.desk.settle()
+    assert page.desk.is_current
+    assert not any(drawing.view.old for drawing in panel.drawings)
+    page.model.change("heading_degrees", 180)
+    assert page.desk.settle()
+
+
+def test_new_speed_goes_through_the_job_and_greys_until_then(page):
+    seen = []
+    page.desk.hull_job.observe(lambda change: seen.append(change.new), "state")
+    speed = page.model.findings.ship.speed
+    page.model.change("speed_knots", 22)
+    assert page.desk.settle(60)
+    assert seen == ["running", "finished"]
+    assert page.model.findings.ship.speed > speed
+    assert page.desk.is_current
+
+
+def test_design_out_of_equilibrium_is_said_and_cured(page):
+    mass = page.model.inputs["mass"]
+    page.model.change("mass", 0.6 * mass)
+    assert page.desk.settle(60)
+    assert "mass must be within 25 %" in page.model.problems["mass"]
+    assert page.head.problems
+    assert not page.desk.is_current
+    page.model.change("mass", mass)
+    assert page.desk.settle(60)
+    assert page.desk.is_current
+    assert page.head.task == ""
+
+
+def test_stop_leaves_old_results_and_resume_computes(page):
+    spacing = page.model.inputs["spacing"]
+    page.model.change("spacing", spacing + 1)
+    end = time.monotonic() + 20
+    while page.desk.hull_job.state != "running" and time.monotonic() < end:
+        time.sleep(0.01)
+    page._head_said({"type": "stop"})
+    assert page.desk.settle(20)
+    assert page.desk.hull_job.state == "cancelled"
+    assert page.head.action == "resume"
+    assert page.head.tone == "old"
+    page.model.change("spacing", spacing)
+    assert page.desk.settle(60)
+    assert page.desk.is_current
+    assert page.head.action == ""
+
+
+def test_saved_files(page, monkeypatch):
+    sent = {}
+    panel = open_tab(page, "Data")
+    monkeypatch.setattr(panel, "send_file", lambda name, mime, content: sent.update({name: content}))
+    for action in (
+        panel._design, panel._inputs, panel._motions_csv, panel._motions_netcdf, panel._slamming_csv,
+        panel._slamming_netcdf,
+    ):  # fmt: skip
+        assert "was saved" in action()
+    panel._animation()
+    assert page.desk.settle(60)
+    assert "was saved" in panel._animation()
+    assert "was saved" in panel._events_csv()
+    text = sent["austal-63-slamming.csv"].decode()
+    head = [line for line in text.splitlines() if line.startswith("#")]
+    assert any("slams_per_hour [1/h]" in line for line in head)
+    rows = [line for line in text.splitlines() if not line.startswith("#")]
+    assert len(rows) == 401
+    columns = rows[0].split(",")
+    rate = np.array([float(row.split(",")[columns.index("slams_per_hour")]) for row in rows[1:]])
+    exact = page.model.findings.slam.statistics.slams_per_hour.values
+    np.testing.assert_allclose(rate, exact.ravel(), rtol=1e-6)
+    assert b"<html" in sent["austal-63-animation.html"]
+
+
+def test_state_is_what_the_browser_keeps(page):
+    other = main.Page()
+    other._head_said({"type": "hello", "state": page.head.state, "query": ""})
+    assert other.model.inputs == page.model.inputs
+    query = "design=delft-372&clearance=0.09&law=no"
+    other._head_said({"type": "hello", "state": "{rubbish", "query": query})
+    assert other.model.design_name == "delft-372"
+    assert float(other.model.inputs["clearance"]) == 0.09
+    assert "law" in other.head.remark
+
+
+def test_page_that_cannot_be_made_is_a_readable_account(monkeypatch):
+    def broken():
+        raise RuntimeError("no <ship>")
+
+    monkeypatch.setattr(main, "Page", broken)
+    shown = main.app()
+    assert "could not start" in shown.value
+    assert "no &lt;ship&gt;" in shown.value
+
+
+def test_voila_arguments_are_settings_that_voila_knows():
+    arguments = server.voila_arguments(8000, False)
+    assert arguments[0].endswith("workbench.ipynb")
+    text = " ".join(arguments)
+    assert "widgets-manager8" in text
+    assert "allow_template_override=NO" in text
+    assert (server.TEMPLATE_FOLDER / "voila/templates/workbench/index.html.j2").exists()
+    assert str(server.TEMPLATE_FOLDER) in server.environment()["JUPYTER_PATH"]
+
+
+def test_ship_without_wet_deck_shows_its_motions(page):
+    names = library.names()
+    assert "cofea" in names
+    page.model.choose("cofea")
+    panel = page.panels[1]
+    page.tabs.selected_index = 1
+    end = time.monotonic() + 10
+    while "no wet deck" not in panel.message.value and time.monotonic() < end:
+        time.sleep(0.05)
+    assert "no wet deck" in panel.message.value
+    page._head_said({"type": "stop"})
+    page.model.choose("austal-63")
+    assert page.desk.settle(60)
