@@ -135,7 +135,7 @@ def _motion_rows(done: "Study") -> list[tuple[str, ...]]:
     for mode in MODES:
         factor, unit = (1.0, "m") if mode in TRANSLATIONS else (float(np.degrees(1.0)), "degrees")
         deviations = (
-            f"{factor * float(table[name].sel(dof=mode)):.3g}"
+            f"{round(factor * float(table[name].sel(dof=mode)), 6):.3g}"
             for name in ("motion_std", "velocity_std", "acceleration_std")
         )
         rows.append((mode, *deviations, unit + ", /s, /s²"))

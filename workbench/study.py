@@ -138,7 +138,7 @@ def all_results(done: Study) -> xr.Dataset:
     motion = done.ship.motions.isel(wave_direction=0, drop=True)
     merged = xr.merge(
         [motion, done.slam.moments, done.slam.statistics, done.counts, done.slam.deck, done.slam.motion_statistics],
-        combine_attrs="drop",
+        combine_attrs="override",
         compat="no_conflicts",
         join="outer",
     )
