@@ -10,7 +10,10 @@ from workbench.errors import InputError
 
 def example(value: complex = 1 + 2j) -> xr.Dataset:
     return quantities.dataset(
-        {"omega": [0.5, 1.0]}, method="test", motion_rao=("omega", np.array([value, 3.0 - 1j])), wavenumber=("omega", [1.0, 2.0])
+        {"omega": [0.5, 1.0]},
+        method="test",
+        motion_rao=("omega", np.array([value, 3.0 - 1j])),
+        wavenumber=("omega", [1.0, 2.0]),
     )
 
 
@@ -60,7 +63,16 @@ def test_key_depends_on_every_input_and_refuses_nan():
     key = cache.content_key("stage", 1, a=1.0, b=[1, 2])
     assert key == cache.content_key("stage", 1, b=[1, 2], a=1.0)
     assert key == cache.content_key("stage", 1, a=np.float64(1.0), b=np.array([1, 2]))
-    assert len({key, cache.content_key("stage", 2, a=1.0, b=[1, 2]), cache.content_key("stage", 1, a=1.1, b=[1, 2])}) == 3
+    assert (
+        len(
+            {
+                key,
+                cache.content_key("stage", 2, a=1.0, b=[1, 2]),
+                cache.content_key("stage", 1, a=1.1, b=[1, 2]),
+            }
+        )
+        == 3
+    )
     with pytest.raises(ValueError, match="JSON"):
         cache.content_key("stage", 1, a=float("nan"))
 

@@ -5,6 +5,7 @@ from workbench.conventions import GRAVITY, wavenumber
 from workbench.design import MassProperties
 from workbench.geometry.hydrostatics import stiffness_matrix
 from workbench.geometry.panels import lid_panels, panels
+from workbench.geometry.wet_deck import wet_deck_grid
 from workbench.hydrodynamics.forward_speed import RadiatingBody, hydrodynamics
 from workbench.hydrodynamics.radiation import RadiationProblem, radiation
 from workbench.motions import (
@@ -18,7 +19,6 @@ from workbench.motions import (
     velocity,
 )
 from workbench.relative_motion import material_velocity, relative_motion
-from workbench.geometry.wet_deck import wet_deck_grid
 
 LONG = np.array([0.12, 0.2])
 DIRECTIONS = np.radians([180.0, 135.0, 90.0, 0.0])
@@ -100,7 +100,7 @@ def test_motion_at_a_point_has_its_lever_arms(twin, solved):
     found = moving(twin, solved, [0.9], DIRECTIONS[1:2])
     surge, sway, heave, roll, pitch, yaw = found.motion_rao.values[0, 0]
     lever = np.array([7.0, -2.0, 3.0])
-    at_point = motions_at(found, lever + (0, 0, 1.0)).values[0, 0]
+    at_point = motions_at(found, lever + np.array([0, 0, 1.0])).values[0, 0]
     turning = np.cross([roll, pitch, yaw], lever)
     np.testing.assert_allclose(at_point[:3], np.array([surge, sway, heave]) + turning)
     np.testing.assert_allclose(at_point[3:], [roll, pitch, yaw])
@@ -152,9 +152,13 @@ def test_roll_damping_of_a_ratio_halves_resonance_as_an_oscillator(twin, solved)
     found = roll_damping(damped, stiffness, added)
     about_centre = np.linalg.inv(translation_matrix(damped.centre_of_gravity))
     inertia, restoring = damped.mass * 4.5**2, stiffness[3, 3]
-    assert (about_centre.T @ found @ about_centre)[3, 3] == pytest.approx(0.2 * np.sqrt(inertia * restoring), rel=1e-6)
+    assert (about_centre.T @ found @ about_centre)[3, 3] == pytest.approx(
+        0.2 * np.sqrt(inertia * restoring), rel=1e-6
+    )
     free, held = (moving(twin, solved, [0.6, 0.9, 1.2], [np.pi / 2], masses=m) for m in (twin.masses, damped))
-    assert float(np.abs(held.motion_rao.sel(dof="roll")).max()) < float(np.abs(free.motion_rao.sel(dof="roll")).max())
+    assert float(np.abs(held.motion_rao.sel(dof="roll")).max()) < float(
+        np.abs(free.motion_rao.sel(dof="roll")).max()
+    )
 
 
 def test_interpolation_keeps_the_table_and_the_fast_phase(twin, solved):

@@ -6,7 +6,9 @@ from workbench.errors import InputError, checked_choice, checked_number
 
 
 def test_every_variable_is_labelled():
-    made = quantities.dataset({"omega": [1.0]}, method="m", warnings=["a", "b", "a"], added_mass=("omega", [2.0]))
+    made = quantities.dataset(
+        {"omega": [1.0]}, method="m", warnings=["a", "b", "a"], added_mass=("omega", [2.0])
+    )
     assert made.added_mass.attrs["units"] == "kg, kg m, kg m2"
     assert made.omega.attrs["long_name"] == "wave frequency"
     assert quantities.warnings_of(made) == ("a", "b")

@@ -107,8 +107,14 @@ def test_presets_are_seas_that_rise():
         ({"significant_wave_height": 2.0, "peak_period": 8.0, "spectrum": "pm"}, "one of"),
         ({"significant_wave_height": 2.0, "peak_period": 8.0, "peak_enhancement": 0.2}, "peak_enhancement"),
         ({"significant_wave_height": 2.0, "spectrum": "user"}, "at least 3 pairs"),
-        ({"significant_wave_height": 2.0, "spectrum": "user", "table": ((2, 1), (1, 1), (3, 1))}, "increasing"),
-        ({"significant_wave_height": 3.0, "spectrum": "pierson-moskowitz", "peak_period": 15.0}, "follows from"),
+        (
+            {"significant_wave_height": 2.0, "spectrum": "user", "table": ((2, 1), (1, 1), (3, 1))},
+            "increasing",
+        ),
+        (
+            {"significant_wave_height": 3.0, "spectrum": "pierson-moskowitz", "peak_period": 15.0},
+            "follows from",
+        ),
     ],
 )
 def test_bad_seas_are_refused_in_a_sentence(given, words):

@@ -13,7 +13,9 @@ from workbench.radiation_store import usual_tasks
 
 def tasks(name):
     hull = library.design(name).hull
-    return [task for froude in (0.0, 0.4) for task in usual_tasks(hull, froude * np.sqrt(GRAVITY * hull.length))]
+    return [
+        task for froude in (0.0, 0.4) for task in usual_tasks(hull, froude * np.sqrt(GRAVITY * hull.length))
+    ]
 
 
 @pytest.mark.parametrize("name", shipped.DESIGNS)
@@ -28,7 +30,9 @@ def test_shipped_potentials_are_found_and_are_those_of_a_fresh_run(name):
         for variable in ("radiation_potential", "radiated_elevation", "diffracted_elevation"):
             if variable in fresh:
                 scale = np.abs(fresh[variable].values).max()
-                np.testing.assert_allclose(kept[variable].values / scale, fresh[variable].values / scale, atol=2e-5)
+                np.testing.assert_allclose(
+                    kept[variable].values / scale, fresh[variable].values / scale, atol=2e-5
+                )
 
 
 def test_a_shipped_design_needs_no_solver(monkeypatch):
@@ -45,7 +49,11 @@ def test_a_shipped_design_needs_no_solver(monkeypatch):
 def test_written_anew_they_have_the_same_names(tmp_path, monkeypatch):
     from workbench import radiation_store
 
-    kept = {path.name for name in shipped.DESIGNS for path in [tmp_path / f"{task.key}.nc" for task in tasks(name)]}
+    kept = {
+        path.name
+        for name in shipped.DESIGNS
+        for path in [tmp_path / f"{task.key}.nc" for task in tasks(name)]
+    }
     monkeypatch.setattr(radiation_store.RadiationTask, "solved", lambda self: cache._shipped(self.key))
     written = shipped.written_hydrodynamics(shipped.DESIGNS, tmp_path)
     assert {path.name for path in written} == kept

@@ -25,7 +25,9 @@ def ship(twin):
     from workbench.hydrodynamics.settings import PotentialFlowSettings
 
     directions = [np.pi, np.radians(135)]
-    return pipeline.response(twin, 0.0, directions, np.linspace(0.25, 2.05, 24), PotentialFlowSettings(panels=300))
+    return pipeline.response(
+        twin, 0.0, directions, np.linspace(0.25, 2.05, 24), PotentialFlowSettings(panels=300)
+    )
 
 
 def test_blocks_are_the_sum_of_components(rng):
@@ -37,7 +39,9 @@ def test_blocks_are_the_sum_of_components(rng):
         np.testing.assert_allclose(block, whole[:, start : start + block.shape[1]], atol=2e-5)
         seen[:, start : start + block.shape[1]] += 1
     assert seen.min() == 1
-    by_hand = sum(abs(a) * np.cos(np.angle(a) - w * 3.7) for a, w in zip(amplitudes[:, 0], frequency, strict=True))
+    by_hand = sum(
+        abs(a) * np.cos(np.angle(a) - w * 3.7) for a, w in zip(amplitudes[:, 0], frequency, strict=True)
+    )
     assert records(amplitudes[:, :1], frequency, np.array([3.7]))[0, 0] == pytest.approx(by_hand)
 
 
@@ -88,7 +92,9 @@ def test_spread_sea_comes_from_about_its_direction():
 def test_one_and_two_waves_are_given_by_hand():
     pair = components_from([0.8, 1.1], [0.5, 0.25], 0.0, np.pi, 3.0)
     at_origin = records(
-        elevation_amplitudes(pair, np.array(0.0), np.array(0.0))[:, None], pair.component_frequency.values, np.array([0.0])
+        elevation_amplitudes(pair, np.array(0.0), np.array(0.0))[:, None],
+        pair.component_frequency.values,
+        np.array([0.0]),
     )
     assert at_origin[0, 0] == pytest.approx(0.75)
     with pytest.raises(InputError, match="omega"):
@@ -100,7 +106,10 @@ def test_relative_record_has_the_variance_of_the_closed_form(ship, twin):
     slam = pipeline.slamming(ship, relative, twin.wet_deck, HEAD)
     components = wave_components(HEAD, Realisation(seed=6), 0.25, 2.05)
     rise, slope = relative_amplitudes(components, ship.motions, relative)
-    for amplitudes, deviation in ((rise, slam.moments.relative_motion_std), (slope, slam.moments.relative_slope_std)):
+    for amplitudes, deviation in (
+        (rise, slam.moments.relative_motion_std),
+        (slope, slam.moments.relative_slope_std),
+    ):
         own = np.sqrt(np.sum(np.abs(amplitudes) ** 2, axis=0) / 2)
         np.testing.assert_allclose(own, deviation, rtol=0.06)
 
@@ -111,7 +120,9 @@ def test_relative_record_between_the_nodes_is_that_of_a_wave_there(ship, twin):
     exact = pipeline.response(twin, 0.0, [np.pi], [omega], ship.settings)
     deck = pipeline.deck_response(exact, twin.wet_deck, (6, 3))
     relative = pipeline.deck_response(ship, twin.wet_deck, (6, 3))
-    rise, slope = relative_amplitudes(components_from([omega], [1.0], 0.0, np.pi, 0.0), ship.motions, relative)
+    rise, slope = relative_amplitudes(
+        components_from([omega], [1.0], 0.0, np.pi, 0.0), ship.motions, relative
+    )
     np.testing.assert_allclose(rise[0], deck.relative_motion.values[0, 0], atol=0.05)
     np.testing.assert_allclose(slope[0], deck.relative_slope.values[0, 0], atol=0.006)
 
@@ -127,7 +138,15 @@ def test_histories_hold_six_motions_and_the_wave(ship):
 
 
 @pytest.mark.parametrize(
-    "given", [{"seed": -1}, {"seed": 1.5}, {"hours": 0}, {"components": 1}, {"amplitudes": "gaussian"}, {"time_step": 0}]
+    "given",
+    [
+        {"seed": -1},
+        {"seed": 1.5},
+        {"hours": 0},
+        {"components": 1},
+        {"amplitudes": "gaussian"},
+        {"time_step": 0},
+    ],
 )
 def test_bad_realisations_are_refused(given):
     with pytest.raises(InputError):

@@ -140,7 +140,9 @@ def cached(key: str, compute: Callable[[], xr.Dataset], attrs: Mapping | None = 
         try:
             return load_dataset(path)
         except (OSError, ValueError, KeyError, RuntimeError) as error:
-            warnings.warn(f"Stored result {path.name} cannot be read and is computed anew: {error}", stacklevel=2)
+            warnings.warn(
+                f"Stored result {path.name} cannot be read and is computed anew: {error}", stacklevel=2
+            )
     result = compute().assign_attrs(cache_key=key, **dict(attrs or {}))
     try:
         save_dataset(result, path)

@@ -29,12 +29,15 @@ application = typer.Typer(
 DesignArgument = Annotated[str, typer.Argument(metavar="DESIGN", help="A library name or a TOML file.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 SpeedOption = Annotated[float | None, typer.Option("--speed-knots", help="Speed [kn].")]
-FroudeOption = Annotated[float | None, typer.Option("--froude", help="Froude number on the length, instead of knots.")]
+FroudeOption = Annotated[
+    float | None, typer.Option("--froude", help="Froude number on the length, instead of knots.")
+]
 HeadingOption = Annotated[float, typer.Option("--heading-degrees", help="180 is head seas, 0 following.")]
 PanelsOption = Annotated[int, typer.Option("--panels", help="Panels of the whole ship.")]
 InteractionOption = Annotated[str, typer.Option("--interaction", help="Between the hulls: auto, on or off.")]
 TreatmentOption = Annotated[
-    str, typer.Option("--speed-treatment", help="encounter-frequency or forward-speed (Capytaine's own option).")
+    str,
+    typer.Option("--speed-treatment", help="encounter-frequency or forward-speed (Capytaine's own option)."),
 ]
 TunnelOption = Annotated[
     float, typer.Option("--tunnel-damping", help="Damping of the water between the hulls, 0 to 0.2.")
@@ -46,17 +49,17 @@ def main() -> None:
     try:
         application()
     except InputError as error:
-        print(f"workbench: {error}", file=sys.stderr)  # noqa: T201
+        print(f"workbench: {error}", file=sys.stderr)
         raise SystemExit(2) from None
 
 
 def _print_json(values: dict[str, Any]) -> None:
-    print(json.dumps(values, allow_nan=False))  # noqa: T201
+    print(json.dumps(values, allow_nan=False))
 
 
 def _print_warnings(sentences: list[str]) -> None:
     for sentence in sentences:
-        print(f"warning: {sentence}", file=sys.stderr)  # noqa: T201
+        print(f"warning: {sentence}", file=sys.stderr)
 
 
 def _speed(design: Design, speed_knots: float | None, froude: float | None) -> float:
@@ -73,7 +76,12 @@ def _wave_direction(heading_degrees: float) -> float:
     return float(
         np.radians(
             checked_number(
-                "heading-degrees", heading_degrees, "degrees", at_least=0, at_most=360, cure="180 is head seas"
+                "heading-degrees",
+                heading_degrees,
+                "degrees",
+                at_least=0,
+                at_most=360,
+                cure="180 is head seas",
             )
         )
     )
@@ -92,14 +100,18 @@ def _settings(panels: int, interaction: str, speed_treatment: str, tunnel_dampin
 
 def _check_method(method: str) -> None:
     if method != "potential-flow":
-        raise InputError(f"method must be potential-flow, got {method!r}; other theories are not in this version.")
+        raise InputError(
+            f"method must be potential-flow, got {method!r}; other theories are not in this version."
+        )
 
 
 @application.callback(invoke_without_command=True)
-def version_option(version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False) -> None:
+def version_option(
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
     """Print the version if asked to."""
     if version:
-        print(__version__)  # noqa: T201
+        print(__version__)
         raise typer.Exit
 
 
@@ -112,7 +124,7 @@ def list_designs(as_json: JsonOption = False) -> None:
     else:
         width = max(len(entry["name"]) for entry in listed)
         for entry in listed:
-            print(f"{entry['name']:<{width}}  {entry['title']}")  # noqa: T201
+            print(f"{entry['name']:<{width}}  {entry['title']}")
 
 
 @application.command()
@@ -122,7 +134,7 @@ def show(design: DesignArgument, as_json: JsonOption = False) -> None:
     if as_json:
         _print_json(values)
     else:
-        print(tables.particulars_text(values))  # noqa: T201
+        print(tables.particulars_text(values))
         _print_warnings(values["warnings"])
 
 
@@ -155,14 +167,16 @@ def rao(
     if as_json:
         _print_json(values)
     else:
-        print(tables.motion_text(values))  # noqa: T201
+        print(tables.motion_text(values))
         _print_warnings(values["warnings"])
 
 
 def _frequencies(design: Design, omega: str | None, wavelength_ratio: str | None) -> tuple[np.ndarray, bool]:
     """Wave frequencies [rad/s] and whether the wavelengths were asked for (so that they shall rise)."""
     if (omega is None) == (wavelength_ratio is None):
-        raise InputError("frequencies must be given once: either --omega LO:HI:N or --wavelength-ratio LO:HI:N.")
+        raise InputError(
+            "frequencies must be given once: either --omega LO:HI:N or --wavelength-ratio LO:HI:N."
+        )
     if omega is not None:
         return _range("omega", omega, "rad/s"), False
     ratios = _range("wavelength-ratio", wavelength_ratio, "")
@@ -182,19 +196,27 @@ def _range(name: str, text: str, unit: str) -> np.ndarray:
     checked_number(f"highest {name}", high, unit, at_least=low)
     checked_number(f"number of {name} values", count, at_least=1, at_most=500)
     if (count > 1) == (high == low):
-        raise InputError(f"{name} must have a highest value above its lowest and N > 1, or both equal and N = 1.")
+        raise InputError(
+            f"{name} must have a highest value above its lowest and N > 1, or both equal and N = 1."
+        )
     return np.linspace(low, high, count)
 
 
 @application.command()
 def slam(
     design: DesignArgument,
-    clearance: Annotated[float | None, typer.Option(help="Wet-deck clearance [m]; that of the design if left out.")] = None,
+    clearance: Annotated[
+        float | None, typer.Option(help="Wet-deck clearance [m]; that of the design if left out.")
+    ] = None,
     hs: Annotated[float, typer.Option("--hs", help="Significant wave height [m].")] = 2.0,
     tp: Annotated[float | None, typer.Option("--tp", help="Peak period [s].")] = None,
-    spectrum: Annotated[str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")] = "bretschneider",
+    spectrum: Annotated[
+        str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")
+    ] = "bretschneider",
     peak_enhancement: Annotated[float, typer.Option(help="gamma of jonswap.")] = 3.3,
-    spreading: Annotated[float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")] = None,
+    spreading: Annotated[
+        float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")
+    ] = None,
     speed_knots: SpeedOption = None,
     froude: FroudeOption = None,
     heading_degrees: HeadingOption = 180.0,
@@ -251,7 +273,7 @@ def slam(
     if as_json:
         _print_json(values)
     else:
-        print(tables.slamming_text(values))  # noqa: T201
+        print(tables.slamming_text(values))
         _print_warnings(values["warnings"])
 
 
@@ -280,7 +302,9 @@ def run(
     speed_knots: SpeedOption = None,
     froude: FroudeOption = None,
     heading_degrees: HeadingOption = 180.0,
-    hs: Annotated[float | None, typer.Option("--hs", help="Significant wave height [m]; L/25 if left out.")] = None,
+    hs: Annotated[
+        float | None, typer.Option("--hs", help="Significant wave height [m]; L/25 if left out.")
+    ] = None,
     tp: Annotated[
         float | None, typer.Option("--tp", help="Peak period [s]; waves of 1.5 L if left out.")
     ] = None,
@@ -309,12 +333,14 @@ def run(
         film=film,
         panels=panels,
     )
-    print(index)  # noqa: T201
+    print(index)
 
 
 @application.command()
 def verify(
-    features: Annotated[bool, typer.Option("--features", help="The table of features and its evidence.")] = False,
+    features: Annotated[
+        bool, typer.Option("--features", help="The table of features and its evidence.")
+    ] = False,
     slow: Annotated[bool, typer.Option("--slow", help="Also the cases that take minutes.")] = False,
     as_json: JsonOption = False,
 ) -> None:
@@ -325,7 +351,7 @@ def verify(
     if as_json:
         _print_json(values)
     else:
-        print(report.text(values))  # noqa: T201
+        print(report.text(values))
     if not passed:
         raise SystemExit(1)
 
@@ -364,13 +390,15 @@ def prepare() -> None:
 @application.command()
 def precompute(
     names: Annotated[list[str], typer.Argument(help="Library designs.")],
-    out: Annotated[Path | None, typer.Option("--out", help="Folder; the one shipped with the package if left out.")] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Folder; the one shipped with the package if left out.")
+    ] = None,
 ) -> None:
     """Compute the hydrodynamics of library designs, as shipped with the package."""
     from workbench import shipped
 
     for path in shipped.written_hydrodynamics(names, out):
-        print(path)  # noqa: T201
+        print(path)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,9 @@ def design(name_or_path: str) -> Design:
 def with_clearance(chosen: Design, clearance: float | None) -> Design:
     """Return the design with another wet-deck clearance [m] (its own if None); it must have a wet deck."""
     if chosen.wet_deck is None:
-        raise InputError(f"design must have a wet deck, but {chosen.name} has none; choose a multihull with one.")
+        raise InputError(
+            f"design must have a wet deck, but {chosen.name} has none; choose a multihull with one."
+        )
     if clearance is None:
         return chosen
     return replace(chosen, wet_deck=replace(chosen.wet_deck, clearance=clearance))

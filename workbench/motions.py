@@ -45,9 +45,7 @@ def mass_matrix(masses: MassProperties) -> np.ndarray:
     return to_centre.T @ about_centre @ to_centre
 
 
-def roll_damping(
-    masses: MassProperties, stiffness: np.ndarray, added_mass: np.ndarray
-) -> np.ndarray:
+def roll_damping(masses: MassProperties, stiffness: np.ndarray, added_mass: np.ndarray) -> np.ndarray:
     """Viscous roll damping about the centre of gravity, referred to the origin (..., 6, 6) [kg m2/s].
 
     A share ``masses.roll_damping_ratio`` of the critical damping
@@ -100,7 +98,9 @@ def motions(
     try:
         at_origin = np.linalg.solve(system, force)[..., 0]
     except np.linalg.LinAlgError as error:
-        raise InputError("The equation of motion is singular; check masses and gyradii of the design.") from error
+        raise InputError(
+            "The equation of motion is singular; check masses and gyradii of the design."
+        ) from error
     centre = masses.centre_of_gravity
     k = hydrodynamics.wavenumber.values[:, None]
     direction = hydrodynamics.wave_direction.values[None, :]

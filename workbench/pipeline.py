@@ -257,8 +257,8 @@ def _velocity_notes(law: PressureLaw, found: xr.Dataset) -> tuple[str, ...]:
     if not law.name.startswith("chuang") or fastest <= FASTEST_TRIAL_ENTRY:
         return ()
     return (
-        f"The hardest entries, {fastest:.1f} m/s, are faster than the {FASTEST_TRIAL_ENTRY} m/s of the full-scale trials "
-        "that Chuang's pressures were compared with.",
+        f"The hardest entries, {fastest:.1f} m/s, are faster than the {FASTEST_TRIAL_ENTRY} m/s of the full-scale "
+        "trials that Chuang's pressures were compared with.",
     )
 
 

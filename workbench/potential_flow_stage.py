@@ -62,12 +62,16 @@ def hydrodynamics(
         )
 
     if settings.speed_treatment == "forward-speed" and speed > 0:
-        found = _by_forward_speed_option(hull, density, speed, directions, omega, wetted, notes, settings, progress)
+        found = _by_forward_speed_option(
+            hull, density, speed, directions, omega, wetted, notes, settings, progress
+        )
         return found, None
 
     distinct = np.unique(np.round(np.minimum(met, highest), 12))
-    nodes = distinct if not usual and len(distinct) <= _MOST_NODES else encounter_nodes(
-        wave_frequencies(hull.length, highest), highest
+    nodes = (
+        distinct
+        if not usual and len(distinct) <= _MOST_NODES
+        else encounter_nodes(wave_frequencies(hull.length, highest), highest)
     )
     at_rest = speed == 0
     with_field = at_rest and together and hull.count > 1 and settings.wave_field != "incident"
@@ -90,9 +94,7 @@ def hydrodynamics(
     return found, _field_at(bodies[0].radiation, omega, directions, sides)
 
 
-def _field_at(
-    solved: xr.Dataset, omega: np.ndarray, directions: np.ndarray, sides: np.ndarray
-) -> xr.Dataset:
+def _field_at(solved: xr.Dataset, omega: np.ndarray, directions: np.ndarray, sides: np.ndarray) -> xr.Dataset:
     """Return the scattered waves at the wanted frequencies and directions, mirrored where the direction was."""
     rows = [int(np.argmin(np.abs(solved.encounter_omega.values[:-1] - value))) for value in omega]
     columns = [int(np.argmin(np.abs(solved.wave_direction.values - value))) for value in sides]
@@ -110,7 +112,9 @@ def _field_at(
 def _check_frequencies(omega: np.ndarray, highest: float, count: int) -> None:
     """Refuse frequencies that are no frequencies, or whose waves the panels cannot carry."""
     if omega.ndim != 1 or omega.size == 0 or not np.all(np.isfinite(omega)) or np.any(omega <= 0):
-        raise InputError("omega must be one or more finite wave frequencies > 0 rad/s; check the range asked for.")
+        raise InputError(
+            "omega must be one or more finite wave frequencies > 0 rad/s; check the range asked for."
+        )
     if np.any(np.diff(omega) <= 0):
         raise InputError("omega must be increasing; sort the frequencies and leave out doubles.")
     if omega.max() > highest * (1 + 1e-9):

@@ -70,9 +70,7 @@ TABLE: dict[str, Quantity] = {
     "encounter_frequency": Quantity("rad/s", "encounter frequency", r"$\omega_e$"),
     "wavenumber": Quantity("rad/m", "wave number", "$k$"),
     "radiation_potential": Quantity("m2", "radiation potential per unit velocity", r"$\varphi_k$"),
-    "radiated_elevation": Quantity(
-        "m/m, m/rad", "radiated wave elevation per motion amplitude", r"$\eta_k$"
-    ),
+    "radiated_elevation": Quantity("m/m, m/rad", "radiated wave elevation per motion amplitude", r"$\eta_k$"),
     "diffracted_elevation": Quantity("m/m", "diffracted wave elevation per wave amplitude", r"$\eta_D$"),
     "panel_centre": Quantity("m", "panel centre", "$x$"),
     "panel_normal": Quantity("1", "panel normal, outward", "$n$"),

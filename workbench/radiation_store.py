@@ -80,7 +80,9 @@ class RadiationTask:
             field_directions=np.round(self.field_directions, 9),
         )
 
-    def solved(self, workers: int = 1, progress: Callable[[float, str], None] = lambda f, m: None) -> xr.Dataset:
+    def solved(
+        self, workers: int = 1, progress: Callable[[float, str], None] = lambda f, m: None
+    ) -> xr.Dataset:
         """Solve, without looking for a stored result."""
         hull, settings = self.hull, self.settings
         if self.index is None:
@@ -128,7 +130,9 @@ def radiation_tasks(
     return tasks
 
 
-def usual_tasks(hull: Hull, speed: float, settings: PotentialFlowSettings | None = None) -> list[RadiationTask]:
+def usual_tasks(
+    hull: Hull, speed: float, settings: PotentialFlowSettings | None = None
+) -> list[RadiationTask]:
     """Return what a ship needs at a speed with all the usual frequencies and headings, alike tasks once."""
     settings = settings or PotentialFlowSettings()
     wetted = panels(hull, settings.panels)

@@ -34,7 +34,9 @@ def vertical_motion(motion_rao: np.ndarray, centre_of_gravity, x, y) -> np.ndarr
     (..., *x.shape) [m per m]: heave - (x - x_G) pitch + (y - y_G) roll.
     """
     x, y = np.asarray(x, float), np.asarray(y, float)
-    heave, roll, pitch = (motion_rao[..., mode].reshape(*motion_rao.shape[:-1], *[1] * x.ndim) for mode in (2, 3, 4))
+    heave, roll, pitch = (
+        motion_rao[..., mode].reshape(*motion_rao.shape[:-1], *[1] * x.ndim) for mode in (2, 3, 4)
+    )
     return heave - (x - centre_of_gravity[0]) * pitch + (y - centre_of_gravity[1]) * roll
 
 
@@ -62,9 +64,7 @@ def scattered_elevation(
     radiated = np.einsum("fjxy,fbj->fbxy", wave_field.radiated_elevation.values, motion_rao_at_origin)
     total = radiated + wave_field.diffracted_elevation.values
     grid = (wave_field.field_x.values, wave_field.field_y.values)
-    nearest = np.stack(
-        [np.clip(x, grid[0][0], grid[0][-1]), np.clip(y, grid[1][0], grid[1][-1])], axis=-1
-    )
+    nearest = np.stack([np.clip(x, grid[0][0], grid[0][-1]), np.clip(y, grid[1][0], grid[1][-1])], axis=-1)
     values = np.moveaxis(total, (0, 1), (2, 3))
     found = RegularGridInterpolator(grid, values)(nearest)
     return np.moveaxis(found, (-2, -1), (0, 1))

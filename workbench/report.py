@@ -7,11 +7,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from workbench import __version__, quantities
+from workbench.app.verdict import verdict
 from workbench.conventions import KNOT, MODES, TRANSLATIONS
 from workbench.figures import clearance, counts, deck_plan, hull_lines, motions, pressure, style
 from workbench.geometry.sections import surface
 from workbench.motions import lead_over_wave
-from workbench.app.verdict import verdict
 
 if TYPE_CHECKING:
     from workbench.study import Study
@@ -47,7 +47,11 @@ def pictures(done: "Study") -> dict[str, Figure]:
             length=length,
         ),
         "slams": deck_plan.deck_plan_figure(
-            found.slams_per_hour, slam.deck, mark=mark, mark_label="worst point", nothing="This deck does not slam."
+            found.slams_per_hour,
+            slam.deck,
+            mark=mark,
+            mark_label="worst point",
+            nothing="This deck does not slam.",
         ),
         "clearance": clearance.clearance_figure(
             done.curve,
@@ -57,7 +61,11 @@ def pictures(done: "Study") -> dict[str, Figure]:
             least_clearance=slam.least_clearance,
         ),
         "counted": counts.counts_figure(
-            found, done.counts, column=worst["y"], hours=done.realisation.hours, seed=int(done.realisation.seed)
+            found,
+            done.counts,
+            column=worst["y"],
+            hours=done.realisation.hours,
+            seed=int(done.realisation.seed),
         ),
         "classes": counts.velocity_classes_figure(done.classes),
         "pressure": deck_plan.deck_plan_figure(

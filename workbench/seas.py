@@ -60,7 +60,9 @@ class SeaState:
             cure="give the significant height of the sea",
         )
         if self.spectrum == "pierson-moskowitz":
-            developed = 2 * np.pi / ((16 * 0.0081 / 5) ** 0.25 * np.sqrt(GRAVITY / self.significant_wave_height))
+            developed = (
+                2 * np.pi / ((16 * 0.0081 / 5) ** 0.25 * np.sqrt(GRAVITY / self.significant_wave_height))
+            )
             if self.peak_period is not None and abs(self.peak_period / developed - 1) > 0.05:
                 raise InputError(
                     f"peak_period of a Pierson-Moskowitz sea follows from its height: {developed:.2f} s for "
@@ -72,7 +74,12 @@ class SeaState:
             self._check_table()
         else:
             checked_number(
-                "peak_period", self.peak_period, "s", above=0, at_most=40, cure="give the peak period of the sea"
+                "peak_period",
+                self.peak_period,
+                "s",
+                above=0,
+                at_most=40,
+                cure="give the peak period of the sea",
             )
             steepness = 2 * np.pi * self.significant_wave_height / (GRAVITY * self.peak_period**2)
             if steepness > _FINEST_STEEPNESS:
@@ -93,9 +100,13 @@ class SeaState:
                 f"table must hold at least 3 pairs (omega, ordinate) for a user spectrum, got {len(self.table)}."
             )
         if not np.all(np.isfinite(points)) or np.any(np.diff(points[:, 0]) <= 0) or points[0, 0] <= 0:
-            raise InputError("table must have increasing omega > 0 rad/s and finite ordinates; sort it by frequency.")
+            raise InputError(
+                "table must have increasing omega > 0 rad/s and finite ordinates; sort it by frequency."
+            )
         if np.any(points[:, 1] < 0) or not np.any(points[:, 1] > 0):
-            raise InputError("table must have ordinates >= 0 m2 s/rad, not all 0; check the spectrum's units.")
+            raise InputError(
+                "table must have ordinates >= 0 m2 s/rad, not all 0; check the spectrum's units."
+            )
         object.__setattr__(self, "table", tuple((float(a), float(b)) for a, b in points))
         peak = points[np.argmax(points[:, 1]), 0]
         object.__setattr__(self, "peak_period", float(2 * np.pi / peak))
@@ -105,9 +116,7 @@ class SeaState:
         """Make a sea by its mean period T01 = 2 pi m0/m1 [s] (Bretschneider: Tp = 1.296 T01 [Lloyd1989]_)."""
         checked_number("mean_period", mean_period, "s", above=0, at_most=40)
         ratio = period_ratio(1, others.get("spectrum", "bretschneider"), others.get("peak_enhancement", 3.3))
-        return cls(
-            significant_wave_height=significant_wave_height, peak_period=mean_period / ratio, **others
-        )
+        return cls(significant_wave_height=significant_wave_height, peak_period=mean_period / ratio, **others)
 
     @classmethod
     def from_zero_crossing_period(
@@ -204,9 +213,7 @@ def wave_spectrum(sea_state: SeaState, omega) -> np.ndarray:
     return variance * _shape(omega / peak, gamma) / (_shape_moment(0, gamma) * peak)
 
 
-def spreading_weights(
-    wave_directions, wave_direction: float, spreading_exponent: float | None
-) -> np.ndarray:
+def spreading_weights(wave_directions, wave_direction: float, spreading_exponent: float | None) -> np.ndarray:
     """Share of the energy that each of the given directions carries [-]; they sum to 1.
 
     Parameters
@@ -241,9 +248,7 @@ class SeaPreset:
     @property
     def sea_state(self) -> SeaState:
         """The preset as a Bretschneider sea."""
-        return SeaState(
-            significant_wave_height=self.significant_wave_height, peak_period=self.peak_period
-        )
+        return SeaState(significant_wave_height=self.significant_wave_height, peak_period=self.peak_period)
 
 
 def sea_presets() -> tuple[SeaPreset, ...]:
@@ -264,6 +269,8 @@ def sea_presets() -> tuple[SeaPreset, ...]:
     for number, height, wind in beaufort:
         developed = SeaState(significant_wave_height=height, spectrum="pierson-moskowitz")
         presets.append(
-            SeaPreset(f"Beaufort {number}", height, round(developed.peak_period, 1), wind * KNOT, "WMO No. 306")
+            SeaPreset(
+                f"Beaufort {number}", height, round(developed.peak_period, 1), wind * KNOT, "WMO No. 306"
+            )
         )
     return tuple(presets)

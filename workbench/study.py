@@ -51,7 +51,9 @@ def usual_sea(length: float, significant_wave_height: float | None, peak_period:
             USUAL_STEEPNESS * length if significant_wave_height is None else significant_wave_height
         ),
         peak_period=(
-            float(np.sqrt(2 * np.pi * USUAL_WAVELENGTH * length / GRAVITY)) if peak_period is None else peak_period
+            float(np.sqrt(2 * np.pi * USUAL_WAVELENGTH * length / GRAVITY))
+            if peak_period is None
+            else peak_period
         ),
     )
 
@@ -137,7 +139,14 @@ def all_results(done: Study) -> xr.Dataset:
     """Motions, deck statistics and counts of a study as one Dataset (x, y, omega, dof)."""
     motion = done.ship.motions.isel(wave_direction=0, drop=True)
     merged = xr.merge(
-        [motion, done.slam.moments, done.slam.statistics, done.counts, done.slam.deck, done.slam.motion_statistics],
+        [
+            motion,
+            done.slam.moments,
+            done.slam.statistics,
+            done.counts,
+            done.slam.deck,
+            done.slam.motion_statistics,
+        ],
         combine_attrs="override",
         compat="no_conflicts",
         join="outer",
@@ -159,7 +168,9 @@ def motions_csv(values: dict) -> str:
     stream = io.StringIO()
     stream.write(f"# {values['design']}, {values['method']}, speed {values['speed']:.6g} m/s, ")
     stream.write(f"heading {values['heading_degrees']:.6g} degrees (180 head seas)\n")
-    stream.write("# amplitudes per wave amplitude [m/m, rad/m]; phases lead the wave at the centre of gravity\n")
+    stream.write(
+        "# amplitudes per wave amplitude [m/m, rad/m]; phases lead the wave at the centre of gravity\n"
+    )
     writer = csv.writer(stream, lineterminator="\n")
     modes = [name for name, entry in values.items() if isinstance(entry, dict)]
     header = ["omega_rad_s", "encounter_frequency_rad_s", "wavelength_ratio"]
@@ -192,14 +203,16 @@ def write(path: Path, content: str | bytes) -> None:
         finally:
             Path(temporary).unlink(missing_ok=True)
     except OSError as error:
-        raise InputError(f"File {path} cannot be written: {error.strerror}; choose another folder.") from error
+        raise InputError(
+            f"File {path} cannot be written: {error.strerror}; choose another folder."
+        ) from error
 
 
 def _writable(folder: Path) -> Path:
     """Make the folder, before anything is computed, or refuse it."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        probe = tempfile.NamedTemporaryFile(dir=folder, prefix=".")  # noqa: SIM115
+        probe = tempfile.NamedTemporaryFile(dir=folder, prefix=".")
         probe.close()
     except OSError as error:
         raise InputError(

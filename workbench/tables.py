@@ -48,9 +48,13 @@ def particulars_text(values: dict[str, Any]) -> str:
     lines += [f"  {'length':<34} {values['length']:.6g} m", f"  {'beam over all':<34} {values['beam']:.6g} m"]
     for name, entry in values["hydrostatics"].items():
         value = entry["value"]
-        shown = f"{value:.6g}" if isinstance(value, float) else np.array2string(np.asarray(value), precision=4)
+        shown = (
+            f"{value:.6g}" if isinstance(value, float) else np.array2string(np.asarray(value), precision=4)
+        )
         if np.ndim(value) < 2:
-            lines.append(f"  {name.replace('_', ' '):<34} {shown} {entry['units'] if entry['units'] != '1' else ''}")
+            lines.append(
+                f"  {name.replace('_', ' '):<34} {shown} {entry['units'] if entry['units'] != '1' else ''}"
+            )
     masses = values["masses"]
     lines.append(f"  {'mass':<34} {masses['mass']:.6g} kg")
     centre = ", ".join(f"{value:.4g}" for value in masses["centre_of_gravity"])
@@ -64,7 +68,9 @@ def particulars_text(values: dict[str, Any]) -> str:
     if values["provenance"]:
         lines += ["", "  provenance"]
         for entry in values["provenance"]:
-            lines.append(f"  [{entry['standing']:<9}] {entry['quantity']}: {entry['value']} ({entry['source']})")
+            lines.append(
+                f"  [{entry['standing']:<9}] {entry['quantity']}: {entry['value']} ({entry['source']})"
+            )
     return "\n".join(lines)
 
 
@@ -111,7 +117,8 @@ def motion_text(values: dict[str, Any]) -> str:
         f"{values['design']}, {values['method']}, {values['speed'] / KNOT:.2f} kn (Fn {values['froude_number']:.3f}), "
         f"heading {values['heading_degrees']:.0f} degrees",
         "omega   omega_e  lambda/L " + "".join(f"{mode:>16}" for mode in MODES),
-        "rad/s   rad/s    -        " + "".join(f"{'m/m, deg':>16}" for _ in range(3))
+        "rad/s   rad/s    -        "
+        + "".join(f"{'m/m, deg':>16}" for _ in range(3))
         + "".join(f"{'rad/m, deg':>16}" for _ in range(3)),
     ]
     for i, omega in enumerate(values["omega"]):
@@ -180,7 +187,8 @@ def slamming_text(values: dict[str, Any]) -> str:
             f"  slams per hour {worst['slams_per_hour']:.4g} (closed form), "
             f"{worst['counted_per_hour']:.4g} counted, 99 % band {low:.4g} to {high:.4g}",
             f"  mean entry velocity {worst['mean_entry_velocity']:.3g} m/s",
-            f"  most probable peak pressure in {values['hours']:g} h {worst['most_probable_peak_pressure'] / 1e3:.4g} kPa",
+            f"  most probable peak pressure in {values['hours']:g} h "
+            f"{worst['most_probable_peak_pressure'] / 1e3:.4g} kPa",
             f"  least clearance for {values['criterion_per_hour']:g} slams per hour {values['least_clearance']:.4g} m",
         ]
     )

@@ -66,10 +66,16 @@ def test_haskind_forces_are_those_of_the_diffraction_problem(solved):
 def hemisphere(steps: int) -> Panels:
     """Half (y > 0) of a half-immersed sphere of radius 1, its panels blown up to the true volume."""
     polar, azimuth = np.linspace(0, np.pi / 2, steps + 1)[:, None], np.linspace(0, np.pi, 2 * steps + 1)
-    parts = np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), -np.cos(polar) * np.ones_like(azimuth)
+    parts = (
+        np.sin(polar) * np.cos(azimuth),
+        np.sin(polar) * np.sin(azimuth),
+        -np.cos(polar) * np.ones_like(azimuth),
+    )
     grid = np.stack(parts, axis=-1)
     number = np.arange(grid.shape[0] * grid.shape[1]).reshape(grid.shape[:2])
-    faces = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1).reshape(-1, 4)
+    faces = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1).reshape(
+        -1, 4
+    )
     ball = Panels(grid.reshape(-1, 3), faces, np.zeros(len(faces), bool), True)
     scale = (2 * np.pi / 3 / abs(ball.volume)) ** (1 / 3)
     return Panels(ball.vertices * scale, faces if ball.volume > 0 else faces[:, ::-1], ball.is_transom, True)
@@ -114,11 +120,13 @@ def test_speed_terms_are_those_of_strip_theory(solved):
 
 
 def test_separate_hulls_add_up_with_their_lever_arms_and_phases():
-    """A44 = 2 (A44' + y**2 A33'), A66 = 2 (A66' + y**2 A11'), and forces with the phase of each hull (Grande 2.27-2.28)."""
+    """A44 = 2 (A44' + y**2 A33'), A66 = 2 (A66' + y**2 A11'), forces with each hull's phase (Grande 2.27-2.28)."""
     omega, beta, y = np.array([0.9]), np.radians(120), 5.0
     alone = radiation(RadiationProblem(panels=hull_panels(TWIN, 0, 200)), omega)
     one = hydrodynamics([RadiatingBody(alone)], omega, [beta], 0, 1025.0)
-    pair = hydrodynamics([RadiatingBody(alone, 0.0, y), RadiatingBody(alone, 0.0, -y)], omega, [beta], 0, 1025.0)
+    pair = hydrodynamics(
+        [RadiatingBody(alone, 0.0, y), RadiatingBody(alone, 0.0, -y)], omega, [beta], 0, 1025.0
+    )
     single, added = one.added_mass.values[0, 0], pair.added_mass.values[0, 0]
     assert added[2, 2] == pytest.approx(2 * single[2, 2])
     assert added[3, 3] == pytest.approx(2 * (single[3, 3] + y**2 * single[2, 2]))
@@ -135,11 +143,15 @@ def test_twin_together_and_apart_share_the_incident_force():
     omega, directions = [0.9], [np.radians(120)]
     together = at(radiation(RadiationProblem(panels=panels(TWIN, 400)), omega), omega, directions)
     alone = radiation(RadiationProblem(panels=hull_panels(TWIN, 0, 200)), omega)
-    apart = hydrodynamics([RadiatingBody(alone, 0.0, 5.0), RadiatingBody(alone, 0.0, -5.0)], omega, directions, 0, 1025.0)
+    apart = hydrodynamics(
+        [RadiatingBody(alone, 0.0, 5.0), RadiatingBody(alone, 0.0, -5.0)], omega, directions, 0, 1025.0
+    )
     for mode in (2, 3, 4):
         expected = together.froude_krylov_force.values[0, 0, mode]
         assert apart.froude_krylov_force.values[0, 0, mode] == pytest.approx(expected, rel=0.02)
-    assert together.added_mass.values[0, 0, 2, 2] != pytest.approx(apart.added_mass.values[0, 0, 2, 2], rel=0.02)
+    assert together.added_mass.values[0, 0, 2, 2] != pytest.approx(
+        apart.added_mass.values[0, 0, 2, 2], rel=0.02
+    )
 
 
 def test_lid_removes_an_irregular_frequency():
@@ -147,13 +159,19 @@ def test_lid_removes_an_irregular_frequency():
     from workbench.shapes import HeavyLiftBox
 
     box = Hull(
-        shape=HeavyLiftBox(length=20, beam=6, draught=3, depth=6, bilge_radius=0.5, bow_length=1, stern_length=1)
+        shape=HeavyLiftBox(
+            length=20, beam=6, draught=3, depth=6, bilge_radius=0.5, bow_length=1, stern_length=1
+        )
     )
     wetted = panels(box, 500)
-    interior = np.sqrt(GRAVITY * np.hypot(np.pi / 20, np.pi / 6) / np.tanh(np.hypot(np.pi / 20, np.pi / 6) * 3))
+    interior = np.sqrt(
+        GRAVITY * np.hypot(np.pi / 20, np.pi / 6) / np.tanh(np.hypot(np.pi / 20, np.pi / 6) * 3)
+    )
     omega = np.linspace(0.97, 1.03, 7) * interior
     damping = [
-        at(radiation(RadiationProblem(panels=wetted, lid=lid), omega), omega, [HEAD]).radiation_damping.values[:, 0, 2, 2]
+        at(
+            radiation(RadiationProblem(panels=wetted, lid=lid), omega), omega, [HEAD]
+        ).radiation_damping.values[:, 0, 2, 2]
         for lid in (None, lid_panels(box))
     ]
     roughness = [np.max(np.abs(np.diff(values, 2))) / np.mean(np.abs(values)) for values in damping]
@@ -185,9 +203,13 @@ def test_mirrored_and_whole_panels_give_the_same():
     first, second = at(by_half, omega, directions), at(by_whole, omega, directions)
     diagonal = np.sqrt(np.abs(np.diag(second.added_mass.values[0, 0])))
     scale = np.outer(diagonal, diagonal)
-    np.testing.assert_allclose(first.added_mass.values[0, 0] / scale, second.added_mass.values[0, 0] / scale, atol=1e-3)
+    np.testing.assert_allclose(
+        first.added_mass.values[0, 0] / scale, second.added_mass.values[0, 0] / scale, atol=1e-3
+    )
     force = np.abs(second.excitation_force.values[0, 0])
-    np.testing.assert_allclose(first.excitation_force.values[0, 0], second.excitation_force.values[0, 0], atol=5e-4 * force.max())
+    np.testing.assert_allclose(
+        first.excitation_force.values[0, 0], second.excitation_force.values[0, 0], atol=5e-4 * force.max()
+    )
     assert force.min() > 0
     for name in ("diffracted_elevation", "radiated_elevation"):
         np.testing.assert_allclose(by_half[name].values, by_whole[name].values, atol=5e-3)

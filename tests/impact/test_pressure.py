@@ -10,7 +10,11 @@ PSI, FOOT, SLUG_PER_CUBIC_FOOT = 6894.757, 0.3048, 515.3788
 
 def test_panel_pressures_of_the_source():
     """Grande 2002, 7.1.1: k = 113.7 at 4 m/s gives 932 kPa; pod 22.2, main beam 334.6 kPa (rho 1025)."""
-    for name, expected in (("austal-63 wet deck", 932.34), ("crowther-318 pod", 22.22), ("crowther-318 main beam", 334.56)):
+    for name, expected in (
+        ("austal-63 wet deck", 932.34),
+        ("crowther-318 pod", 22.22),
+        ("crowther-318 main beam", 334.56),
+    ):
         k = wagner.PANEL_COEFFICIENTS[name]
         assert wagner.impact_pressure(4.0, k, 1025.0) / 1e3 == pytest.approx(expected, abs=0.01)
 
@@ -83,12 +87,14 @@ def test_peak_pressure_resolves_the_velocity_on_the_water():
     expected += 1025 * (3 * np.sin(angle)) ** 2 / 2
     assert peak_pressure(PressureLaw(), 3.0, angle, 1025.0) == pytest.approx(expected)
     assert peak_pressure(PressureLaw(), 3.0, -angle, 1025.0) == pytest.approx(expected)
-    assert peak_pressure(PressureLaw(name="panel", coefficient=113.7), 4.0, [0.0, 0.1], 1025.0) == pytest.approx(
-        [932_340, 932_340]
-    )
+    assert peak_pressure(
+        PressureLaw(name="panel", coefficient=113.7), 4.0, [0.0, 0.1], 1025.0
+    ) == pytest.approx([932_340, 932_340])
 
 
-@pytest.mark.parametrize("given", [{"name": "slender"}, {"name": "panel"}, {"name": "panel", "coefficient": -1}])
+@pytest.mark.parametrize(
+    "given", [{"name": "slender"}, {"name": "panel"}, {"name": "panel", "coefficient": -1}]
+)
 def test_bad_laws_are_refused(given):
     with pytest.raises(InputError):
         PressureLaw(**given)

@@ -94,7 +94,9 @@ def test_band_holds_the_true_rate_in_99_of_100_seas():
         found = counts(
             entries(*random_sea(0.0, seed, components=120), plate, duration=3600.0, time_step=0.2), plate
         )
-        inside = (found.counted_band_low <= rate.slams_per_hour) & (rate.slams_per_hour <= found.counted_band_high)
+        inside = (found.counted_band_low <= rate.slams_per_hour) & (
+            rate.slams_per_hour <= found.counted_band_high
+        )
         held.append(bool(inside[0, 0]))
     assert np.mean(held) >= 0.96
 
@@ -105,7 +107,9 @@ def test_moments_of_a_flat_band_are_closed_form():
     omega = np.linspace(*BAND, 4001)
     met = omega + omega**2 * 5.0 / GRAVITY
     assert float(moments.relative_motion_std[0, 0]) == pytest.approx(1.0, rel=1e-6)
-    assert float(moments.relative_velocity_std[1, 0]) == pytest.approx(0.5 * np.sqrt(np.mean(met**2)), rel=1e-3)
+    assert float(moments.relative_velocity_std[1, 0]) == pytest.approx(
+        0.5 * np.sqrt(np.mean(met**2)), rel=1e-3
+    )
     assert float(moments.velocity_slope_covariance[0, 0]) == pytest.approx(-0.3 * np.mean(met), rel=1e-3)
     assert float(moments.motion_slope_covariance[0, 0]) == pytest.approx(0, abs=1e-9)
 
@@ -118,7 +122,9 @@ def test_ochis_probability_and_hourly_number():
     m0, m2 = 1.0, float(moments.relative_velocity_std[0, 0]) ** 2
     probability = np.exp(-(1.5**2) / (2 * m0) - 0.4**2 / (2 * m2))
     assert float(found.slamming_probability[0, 0]) == pytest.approx(probability, rel=1e-5)
-    assert float(found.slams_per_hour[0, 0]) == pytest.approx(3600 / 2 / np.pi * np.sqrt(m2) * probability, rel=1e-5)
+    assert float(found.slams_per_hour[0, 0]) == pytest.approx(
+        3600 / 2 / np.pi * np.sqrt(m2) * probability, rel=1e-5
+    )
     assert float(found.slams_per_100_encounters[0, 0]) == pytest.approx(100 * probability, rel=1e-5)
 
 
@@ -187,7 +193,9 @@ def test_largest_pressure_with_angles_agrees_with_counted_events():
     ordered = np.sort(np.concatenate(pressures))[::-1]
     hours = 8 * 100_000 / 3600
     for rank in (30, 300, 3000):
-        pressure = float(largest_peak_pressure(moments, found, plate, law, 1025.0, hours, exceedance=rank)[0, 0])
+        pressure = float(
+            largest_peak_pressure(moments, found, plate, law, 1025.0, hours, exceedance=rank)[0, 0]
+        )
         assert pressure == pytest.approx(ordered[rank - 1], rel=0.1), rank
 
 
@@ -201,7 +209,9 @@ def test_material_entry_velocity_agrees_with_counted_events():
     law = PressureLaw(name="panel", coefficient=10.0)
     events = entries(rise, slope, met, plate, duration=200_000.0, time_step=0.1, drift=3.0, law=law)
     first = events.event_x.values == 0.0
-    assert float(found.mean_entry_velocity[0, 0]) == pytest.approx(events.entry_velocity.values[first].mean(), rel=0.03)
+    assert float(found.mean_entry_velocity[0, 0]) == pytest.approx(
+        events.entry_velocity.values[first].mean(), rel=0.03
+    )
     plain = statistics.slamming_statistics(moments, plate.height)
     assert float(found.mean_entry_velocity[0, 0]) > 1.3 * float(plain.mean_entry_velocity[0, 0])
     hours = 200_000 / 3600
@@ -250,5 +260,3 @@ def test_entries_of_a_regular_wave_are_found_to_the_instant():
     np.testing.assert_allclose(found.entry_angle, np.arctan(water), atol=2e-3)
     expected = peak_pressure(PressureLaw(), found.entry_velocity.values, found.entry_angle.values, 1025.0)
     np.testing.assert_allclose(found.peak_pressure, expected)
-
-

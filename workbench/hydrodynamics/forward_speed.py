@@ -263,7 +263,11 @@ def hydrodynamics(
         },
         method=method,
         warnings=warnings,
-        attrs={"speed": float(speed), "density": float(density), "solver": bodies[0].radiation.attrs["solver"]},
+        attrs={
+            "speed": float(speed),
+            "density": float(density),
+            "solver": bodies[0].radiation.attrs["solver"],
+        },
         added_mass=(matrix, radiation.real / encounter[..., None, None] ** 2),
         radiation_damping=(matrix, radiation.imag / encounter[..., None, None]),
         froude_krylov_force=(vector, froude_krylov),

@@ -179,7 +179,9 @@ def forward_speed_coefficients(
             }
             problems = [cpt.RadiationProblem(radiating_dof=dof, **common) for dof in body.dofs]
             problems.append(cpt.DiffractionProblem(**common))
-            results = solver.solve_all(problems, keep_details=False, progress_bar=False, _check_wavelength=False)
+            results = solver.solve_all(
+                problems, keep_details=False, progress_bar=False, _check_wavelength=False
+            )
             for k, result in enumerate(results[:-1]):
                 found["added_mass"][i, j, :, k] = [result.added_masses[dof.capitalize()] for dof in MODES]
                 found["radiation_damping"][i, j, :, k] = [

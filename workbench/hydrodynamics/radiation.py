@@ -89,7 +89,9 @@ def incident_potential(points: np.ndarray, omega: float, wave_direction) -> np.n
     return -1j * GRAVITY / omega * np.exp(k * points[:, 2] + 1j * k * along)
 
 
-def incident_normal_velocity(centres: np.ndarray, normals: np.ndarray, omega: float, wave_direction) -> np.ndarray:
+def incident_normal_velocity(
+    centres: np.ndarray, normals: np.ndarray, omega: float, wave_direction
+) -> np.ndarray:
     """Normal velocity of the same wave at panel centres [m/s], shaped as `incident_potential`."""
     k = wavenumber(omega)
     beta = np.asarray(wave_direction)[..., None]
@@ -131,7 +133,9 @@ def frequency_solution(
     matrices = potential_flow.influence(sources, kappa, points if len(points) else None)
     modes = mode_normals(panels.centres, panels.normals)
     mirror = np.array([1.0, -1.0, 1.0])
-    parities = ((1.0, SYMMETRIC_MODES), (-1.0, ANTISYMMETRIC_MODES)) if panels.mirrored else ((0.0, range(6)),)
+    parities = (
+        ((1.0, SYMMETRIC_MODES), (-1.0, ANTISYMMETRIC_MODES)) if panels.mirrored else ((0.0, range(6)),)
+    )
 
     potential = np.zeros((6, n_hull), complex)
     field = np.zeros((6, len(points)), complex)
@@ -166,7 +170,9 @@ def frequency_solution(
                         problem.tunnel_lid.centres * side, omega, direction
                     )
                 )
-        strengths = lu_solve(lu_factor(system, overwrite_a=True, check_finite=False), right, check_finite=False)
+        strengths = lu_solve(
+            lu_factor(system, overwrite_a=True, check_finite=False), right, check_finite=False
+        )
         on_hull = single_layer[:n_hull] @ strengths
         on_field = at_points @ strengths if len(points) else np.zeros((0, right.shape[1]))
         potential[list(own_modes)] = on_hull[:, : len(own_modes)].T
@@ -277,7 +283,9 @@ def radiation(
             if problem.field_x:
                 signs = np.where(np.isin(range(6), SYMMETRIC_MODES), 1.0, -1.0)[:, None]
                 per_motion = 0.0 if np.isinf(frequency) else frequency**2 / GRAVITY
-                fields.append(per_motion * on_field_grid(problem, solution["field"], signs * solution["field"]))
+                fields.append(
+                    per_motion * on_field_grid(problem, solution["field"], signs * solution["field"])
+                )
             if waves[i] and problem.field_x:
                 half, other = _halves(problem, solution["diffraction_field"])
                 diffracted.append(1j * frequency / GRAVITY * on_field_grid(problem, half, other))

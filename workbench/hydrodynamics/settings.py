@@ -57,20 +57,26 @@ class PotentialFlowSettings:
         return asdict(self)
 
 
-def validity_warnings(settings: PotentialFlowSettings, count: int, speed: float, length: float) -> tuple[str, ...]:
+def validity_warnings(
+    settings: PotentialFlowSettings, count: int, speed: float, length: float
+) -> tuple[str, ...]:
     """Sentences on what the method is not known to do right at this speed."""
     froude = froude_number(speed, length)
     sentences = []
     if froude > LOW_FROUDE_NUMBER:
         sentences.append(
-            f"Fn {froude:.2f} is above {LOW_FROUDE_NUMBER}: the panel method with a zero-speed Green function is a rough "
-            "guide there. On the measured Delft 372 catamaran at Fn 0.30 its heave peak is 25 % low with each hull "
-            "alone and 27 % high with both together."
+            f"Fn {froude:.2f} is above {LOW_FROUDE_NUMBER}: the panel method with a zero-speed Green function is a "
+            "rough guide there. On the measured Delft 372 catamaran at Fn 0.30 its heave peak is 25 % low with each "
+            "hull alone and 27 % high with both together."
         )
     if count > 1 and settings.interacts(count, speed, length) and froude >= LOW_FROUDE_NUMBER:
-        sentences.append("Hull interaction is on at speed: waves stay between the hulls that a tank does not show.")
+        sentences.append(
+            "Hull interaction is on at speed: waves stay between the hulls that a tank does not show."
+        )
     if count > 1 and not settings.interacts(count, speed, length):
-        sentences.append("Each hull is solved alone: waves between the hulls are left out of the coefficients.")
+        sentences.append(
+            "Each hull is solved alone: waves between the hulls are left out of the coefficients."
+        )
     if settings.speed_treatment == "forward-speed" and speed > 0:
         sentences.append(
             "Capytaine's forward-speed option assumes small speed; its heave peak on the Delft 372 with both hulls is "

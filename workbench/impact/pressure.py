@@ -50,8 +50,8 @@ class PressureLaw:
             )
         if self.name.startswith("chuang"):
             return (
-                "Chuang's pressure is the local peak of some milliseconds; averages over a panel of the deck are two to "
-                "six times lower.",
+                "Chuang's pressure is the local peak of some milliseconds; averages over a panel of the deck are two "
+                "to six times lower.",
             )
         return ()
 
@@ -77,6 +77,6 @@ def peak_pressure(law: PressureLaw, velocity, angle, density: float) -> np.ndarr
     if law.name == "wagner":
         return wagner.impact_pressure(velocity, wagner.impact_coefficient(angle), density)
     small = "text" if law.name == "chuang-text" else "program"
-    return chuang.impact_pressure(
-        velocity * np.cos(angle), angle, density, small
-    ) + chuang.planing_pressure(velocity * np.sin(angle), density)
+    return chuang.impact_pressure(velocity * np.cos(angle), angle, density, small) + chuang.planing_pressure(
+        velocity * np.sin(angle), density
+    )

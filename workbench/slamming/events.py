@@ -90,7 +90,11 @@ def entries(
     return quantities.dataset(
         {"event": np.arange(len(times))},
         method="up-crossings counted in a record",
-        attrs={"duration": float(duration), "time_step": float(time_step), "threshold_velocity": float(threshold)},
+        attrs={
+            "duration": float(duration),
+            "time_step": float(time_step),
+            "threshold_velocity": float(threshold),
+        },
         event_time=("event", times),
         event_x=("event", deck.x.values[row]),
         event_y=("event", deck.y.values[column]),

@@ -56,8 +56,7 @@ def response_moments(relative: xr.Dataset, wave_energy: xr.DataArray) -> xr.Data
     used = np.flatnonzero(weights.any(axis=0))
     weights = weights[:, used]
     rise, rate, slope = (
-        relative[name].values[:, used]
-        for name in ("relative_motion", "relative_velocity", "relative_slope")
+        relative[name].values[:, used] for name in ("relative_motion", "relative_velocity", "relative_slope")
     )
 
     def covariance(first, second):
