@@ -1,0 +1,84 @@
+"""Every notebook runs from top to bottom and stores no output; its last cell holds its numbers."""
+
+import ast
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+FOLDER = Path(__file__).parents[2] / "notebooks"
+NAMES = sorted(path.name for path in FOLDER.glob("*.ipynb"))
+
+
+def executed(name: str):
+    notebook = nbformat.read(FOLDER / name, as_version=4)
+    NotebookClient(
+        notebook, timeout=280, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}
+    ).execute()
+    return notebook
+
+
+def outputs(notebook) -> list:
+    return [output for cell in notebook.cells for output in cell.get("outputs", [])]
+
+
+def numbers(notebook) -> dict:
+    """Dictionary that the last cell shows."""
+    return ast.literal_eval(notebook.cells[-1].outputs[-1].data["text/plain"])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_notebook_is_valid_and_stores_no_output(name):
+    notebook = nbformat.read(FOLDER / name, as_version=4)
+    nbformat.validate(notebook)
+    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    assert code
+    assert all(not cell.outputs and cell.execution_count is None for cell in code)
+
+
+def test_every_notebook_is_run_here():
+    assert {"first-steps.ipynb", "verification.ipynb"} <= set(NAMES)
+    assert set(NAMES) <= {"first-steps.ipynb", "verification.ipynb", "workbench.ipynb"}
+
+
+@pytest.mark.slow
+def test_first_steps():
+    notebook = executed("first-steps.ipynb")
+    found = numbers(notebook)
+    assert found["displacement"] == pytest.approx(1.255e6, rel=0.005)
+    assert found["slams_per_hour"] == pytest.approx(39.0, rel=0.05)
+    low, high = found["counted_band"]
+    assert low < found["slams_per_hour"] < high
+    assert low < found["counted_per_hour"] < high
+    assert 1.5e6 < found["largest_pressure"] < 3e6
+    assert found["least_clearance"] == pytest.approx(2.86, abs=0.05)
+    variants = list(found["variants"].values())
+    assert variants[0] == found["slams_per_hour"]
+    assert all(rate < variants[0] for rate in variants[1:])
+    assert found["frames"] > 100
+    kinds = [kind for output in outputs(notebook) for kind in output.get("data", {})]
+    assert kinds.count("image/png") == 6
+    assert "application/vnd.jupyter.widget-view+json" in kinds
+
+
+@pytest.mark.slow
+def test_verification():
+    notebook = executed("verification.ipynb")
+    found = numbers(notebook)
+    assert found["passed"] is True
+    assert found["counts"]["fails"] == 0
+    assert found["counts"]["agrees"] > 100
+    differences = found["mean_differences"]
+    assert differences["heave Fn 0.3 together"] == pytest.approx(0.088, abs=0.02)
+    assert differences["pitch Fn 0.3 apart"] == pytest.approx(0.110, abs=0.02)
+    assert differences["heave Fn 0.75 apart"] == pytest.approx(0.176, abs=0.02)
+    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 2
+
+
+@pytest.mark.slow
+@pytest.mark.skipif("workbench.ipynb" not in NAMES, reason="the app's notebook is not here")
+def test_app_notebook_shows_the_app():
+    notebook = executed("workbench.ipynb")
+    kinds = [kind for output in outputs(notebook) for kind in output.get("data", {})]
+    assert "application/vnd.jupyter.widget-view+json" in kinds
