@@ -143,7 +143,7 @@ def test_permalink_opens_the_same_inputs_and_two_pages_do_not_mix(new_page, open
     other = open_page("?design=austal-63&clearance=3.9&heading_degrees=150&law=nonsense")
     assert other.page.locator("[data-name=clearance] .wb-box").input_value() == "3.9"
     assert other.wait(lambda: "bow seas" in other.verdict)
-    assert "law" in other.page.locator(".wb-remark").inner_text()
+    assert other.wait(lambda: "law" in other.page.locator(".wb-task").inner_text())
     assert "clearance=3.9" in other.page.url
     assert new_page.page.locator("[data-name=clearance] .wb-box").input_value() != "3.9"
     other.page.close()

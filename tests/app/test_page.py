@@ -104,7 +104,7 @@ def test_design_out_of_equilibrium_is_said_and_cured(page):
     mass = page.model.inputs["mass"]
     page.model.change("mass", 0.6 * mass)
     assert page.desk.settle(60)
-    assert "mass must be within 25 %" in page.model.problems["mass"]
+    assert "Mass must be within 25 %" in page.model.problems["mass"]
     assert page.head.problems
     assert not page.desk.is_current
     page.model.change("mass", mass)

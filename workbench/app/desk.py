@@ -13,7 +13,7 @@ import traitlets
 
 from workbench.app.job import Job
 from workbench.app.model import Counted, Findings, Model
-from workbench.app.reading import Case, control_named
+from workbench.app.reading import Case, control_named, in_words
 from workbench.errors import InputError
 
 WORKERS = 2
@@ -132,7 +132,7 @@ class Desk(traitlets.HasTraits):
         """Put what was refused at its control."""
         if isinstance(self.hull_job.failure, InputError):
             sentence = self.hull_job.error
-            self.model.problems = {control_named(sentence, self.model.base, "masses"): sentence}
+            self.model.problems = {control_named(sentence, self.model.base, "masses"): in_words(sentence)}
 
     def _send_for_ship(self, case: Case) -> None:
         from workbench import pipeline
@@ -176,7 +176,7 @@ class Desk(traitlets.HasTraits):
                 )
         except InputError as error:
             self.is_current = False
-            self.model.problems = {control_named(str(error), self.model.base, "run"): str(error)}
+            self.model.problems = {control_named(str(error), self.model.base, "run"): in_words(str(error))}
             return False
         self.model.findings = Findings(case, self._ship, relative, slam, curve)
         return True

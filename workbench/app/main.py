@@ -23,10 +23,10 @@ from workbench.app.panels.motions import MotionsPanel
 from workbench.app.panels.pressure import PressurePanel
 from workbench.app.panels.slamming import SlammingPanel
 from workbench.app.reading import inputs_of
-from workbench.app.verdict import heading_words
 from workbench.conventions import GRAVITY, KNOT
 from workbench.errors import InputError
 from workbench.hulls import library
+from workbench.verdict import heading_words
 
 PERMALINK = (
     "clearance", "speed_knots", "heading_degrees", "wave_height", "period", "period_kind", "spectrum",
@@ -168,7 +168,7 @@ class Page:
                 f"Froude number {speed / np.sqrt(GRAVITY * self.model.base.hull.length):.2f}"
             )
             words = heading_words(float(inputs["heading_degrees"]))
-            notes["heading_degrees"] = f"{words} (0 following, 90 beam, 180 head)"
+            notes["heading_degrees"] = f"{words} (180 is from ahead)"
         except (TypeError, ValueError):
             pass
         return notes

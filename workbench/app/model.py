@@ -19,11 +19,11 @@ from workbench.app.reading import (
     uploaded_design,
     usual_inputs,
 )
-from workbench.app.verdict import verdict
 from workbench.design import Design
 from workbench.errors import InputError
 from workbench.files import design_to_toml
 from workbench.hulls import library
+from workbench.verdict import verdict
 
 if TYPE_CHECKING:
     from workbench.pipeline import Response, Slamming

@@ -120,7 +120,7 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
         try:
             return make()
         except InputError as error:
-            refused.setdefault(control_named(str(error), base, _GROUP_OF_PART[name]), str(error))
+            refused.setdefault(control_named(str(error), base, _GROUP_OF_PART[name]), in_words(str(error)))
             return None
 
     def number(name: str, factor: float = 1.0) -> float:
@@ -280,6 +280,12 @@ def _as_number(value: Any) -> Any:
         except ValueError:
             return value or "nothing"
     return value
+
+
+def in_words(sentence: str) -> str:
+    """Return a sentence with names as words and a capital letter."""
+    plain = sentence.replace("_", " ")
+    return plain[:1].upper() + plain[1:]
 
 
 def control_named(sentence: str, base: Design, group: str) -> str:

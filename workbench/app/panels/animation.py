@@ -34,7 +34,8 @@ class AnimationPanel(SlammingPanel):
             self.sea_view.height = HEIGHT
             self.sea_view.add_class("wb-sea")
             self._shown = scene
-            self.widget.children = (self.message, self.sea_view, self.note)
+            self.parts = (self.sea_view, self.note)
+            self.widget.children = (self.message, *self.parts)
         elif scene is not self._shown:
             self.sea_view.show(scene)
             self._shown = scene

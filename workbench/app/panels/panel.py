@@ -43,6 +43,7 @@ class Panel:
         self.widget = widgets.VBox([self.message])
         self.widget.add_class("wb-panel")
         self.drawings: list[Drawing] = []
+        self.parts: tuple[widgets.Widget, ...] = ()
         self._is_built = False
 
     def build(self) -> list[widgets.Widget]:
@@ -61,13 +62,13 @@ class Panel:
         reason = self.reason()
         self.message.value = f"<p>{reason}</p>" if reason else ""
         if reason:
-            for drawing in self.drawings:
-                drawing.view.old = True
-            self.refresh(False)
+            self.widget.children = (self.message,)
             return
         if not self._is_built:
             self._is_built = True
-            self.widget.children = (self.message, *self.build())
+            self.parts = tuple(self.build())
+        if self.widget.children != (self.message, *self.parts):
+            self.widget.children = (self.message, *self.parts)
         self.refresh(is_current)
         due = []
         for drawing in self.drawings:

@@ -39,17 +39,22 @@ function render({ model, el }) {
     </div>
     <header class="wb-head">
       <div class="wb-brand"><h1></h1><span class="wb-version"></span></div>
-      <div class="wb-verdict" aria-live="polite"><p></p><div class="wb-remark"></div></div>
-      <div class="wb-work">
-        <div class="wb-progress" role="progressbar" aria-label="Computation" aria-valuemin="0" aria-valuemax="100"><i></i></div>
-        <span class="wb-task" aria-live="polite"></span>
-        <button type="button" class="wb-button wb-action"></button>
+      <div class="wb-verdict"><p aria-live="polite"></p>
+        <div class="wb-status">
+          <div class="wb-progress" role="progressbar" aria-label="Computation" aria-valuemin="0" aria-valuemax="100"><i></i></div>
+          <span class="wb-task" aria-live="polite"></span>
+          <button type="button" class="wb-button wb-action"></button>
+        </div>
       </div>
     </header>`;
   const part = (selector) => el.querySelector(selector);
   part(".wb-lost button").addEventListener("click", () => location.reload());
   part(".wb-action").addEventListener("click", () => model.send({ type: model.get("action") }));
-  const words = { stop: "Stop", resume: "Compute" };
+  const labels = { stop: "Stop", resume: "Compute" };
+  function idle(blocked, tone) {
+    if (blocked) return "Mend the marked input; what is shown below belongs to former inputs.";
+    return tone === "old" ? "What is shown below belongs to former inputs." : "Up to date with the inputs.";
+  }
 
   function update() {
     part("h1").textContent = model.get("title");
@@ -60,28 +65,25 @@ function render({ model, el }) {
     verdict.dataset.tone = error ? "bad" : problems.length ? "blocked" : model.get("tone");
     const sentence = error || problems.join(" ") || model.get("verdict") || "The first results are being computed.";
     if (part(".wb-verdict p").textContent !== sentence) part(".wb-verdict p").textContent = sentence;
-    part(".wb-remark").textContent = model.get("remark");
+    const busy = model.get("busy");
     const percent = Math.round(100 * model.get("progress"));
     const bar = part(".wb-progress");
     bar.setAttribute("aria-valuenow", percent);
-    bar.firstElementChild.style.width = `${percent}%`;
-    bar.hidden = !model.get("busy");
-    part(".wb-task").textContent = model.get("task");
+    bar.firstElementChild.style.width = percent ? `${percent}%` : "";
+    bar.classList.toggle("wb-unknown", !percent);
+    bar.hidden = !busy;
+    const words = model.get("task") || model.get("remark") || idle(problems.length > 0, model.get("tone"));
+    if (part(".wb-task").textContent !== words) part(".wb-task").textContent = words;
     const action = model.get("action");
     part(".wb-action").hidden = !action;
-    part(".wb-action").textContent = words[action] ?? "";
-    part(".wb-work").hidden = !model.get("busy") && !model.get("task") && !action;
+    part(".wb-action").textContent = labels[action] ?? "";
   }
   const names = ["title", "version", "verdict", "tone", "remark", "busy", "progress", "task", "action", "problems", "error"];
   for (const name of names) model.on(`change:${name}`, update);
   for (const name of ["state", "permalink"]) model.on(`change:${name}`, () => keep(model));
-  const lost = () => {
-    if (model.comm_live === false || model.get("_dead")) { part(".wb-lost").hidden = false; document.body.classList.add("wb-dead"); }
-  };
   model.on("comm_live_update", () => { part(".wb-lost").hidden = false; document.body.classList.add("wb-dead"); });
   window.__wb = { lost: () => !part(".wb-lost").hidden };
   update();
-  lost();
 }
 
 export default { initialize, render };

@@ -1,6 +1,6 @@
 import pytest
 
-from workbench.app.verdict import heading_words, length_words, rate_words, verdict
+from workbench.verdict import heading_words, length_words, rate_words, verdict
 
 CASE = {
     "speed_knots": 30.0,
