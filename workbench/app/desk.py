@@ -47,6 +47,7 @@ class Desk(traitlets.HasTraits):
         self._relative = None
         self._plan_key: tuple | None = None
         self._stopped_key: tuple | None = None
+        self._stopped_count: tuple | None = None
         self._condition = threading.Condition()
         self._wanted, self._done = 0, 0
         self._thread = threading.Thread(target=self._run, name="desk", daemon=True)
@@ -60,14 +61,16 @@ class Desk(traitlets.HasTraits):
 
     def stop(self) -> None:
         """Cancel the present long work and do not start it again by itself."""
-        self._stopped_key = self.hull_job.key
+        if self.hull_job.state == "running":
+            self._stopped_key = self.hull_job.key
+        self._stopped_count = self.count_job.key
         self.hull_job.cancel()
         self.count_job.cancel()
         self.post()
 
     def resume(self) -> None:
         """Start again what was stopped or has failed."""
-        self._stopped_key = None
+        self._stopped_key = self._stopped_count = None
         self.hull_job.key = None
         self.post()
 
@@ -103,10 +106,12 @@ class Desk(traitlets.HasTraits):
         case = self.model.case()
         if case is None:
             self.is_current = False
+            self._drop_counts()
             self._show(is_newest)
             return
         if case.response_key != self._ship_key:
             self.is_current = False
+            self._drop_counts()
             if self._has_failed(case):
                 self._explain_failure()
             elif case.response_key != self._stopped_key:
@@ -124,6 +129,11 @@ class Desk(traitlets.HasTraits):
         self._show(is_newest)
         if is_newest() and case.design.wet_deck is not None:
             self._send_for_counts(case)
+
+    def _drop_counts(self) -> None:
+        """Stop counting for inputs that are no longer those of the page."""
+        self.count_job.cancel()
+        self.count_job.clear()
 
     def _has_failed(self, case: Case) -> bool:
         return self.hull_job.state == "failed" and self.hull_job.key == case.response_key
@@ -192,6 +202,9 @@ class Desk(traitlets.HasTraits):
             return self._counted_work(found, case, has_counts, wants_scene, progress)
 
         key = (case.counting_key, wants_scene)
+        if key == self._stopped_count:
+            return
+        self._stopped_count = None
         self.count_job.start(key, work, lambda _: self.post(), 0.0 if has_counts else COUNT_DELAY)
 
     def _counted_work(

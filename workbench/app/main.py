@@ -209,6 +209,8 @@ class Page:
                 head.task, head.action = failed.error, "resume"
             elif hull.state == "cancelled":
                 head.task, head.action = "Stopped. The results below belong to former inputs.", "resume"
+            elif count.state == "cancelled":
+                head.task, head.action = "Stopped. The slams were not counted for these inputs.", "resume"
             else:
                 head.task, head.action = "", ""
         if hull.state == "failed" and hull.error:

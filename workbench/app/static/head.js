@@ -83,7 +83,12 @@ function render({ model, el }) {
   for (const name of ["state", "permalink"]) model.on(`change:${name}`, () => keep(model));
   model.on("comm_live_update", () => { part(".wb-lost").hidden = false; document.body.classList.add("wb-dead"); });
   window.__wb = { lost: () => !part(".wb-lost").hidden };
+  const watch = new ResizeObserver(() => {
+    document.documentElement.style.setProperty("--wb-head", `${el.offsetHeight + 10}px`);
+  });
+  watch.observe(el);
   update();
+  return () => watch.disconnect();
 }
 
 export default { initialize, render };
