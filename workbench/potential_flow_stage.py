@@ -13,6 +13,7 @@ from workbench.geometry.faceted import Panels
 from workbench.geometry.panels import lid_panels, panels
 from workbench.hydrodynamics import forward_speed, potential_flow
 from workbench.hydrodynamics.forward_speed import RadiatingBody
+from workbench.hydrodynamics.gap_resonance import gap_resonance
 from workbench.hydrodynamics.settings import PotentialFlowSettings, validity_warnings
 from workbench.radiation_store import (
     STAGE_VERSION,
@@ -84,6 +85,10 @@ def hydrodynamics(
     tasks = radiation_tasks(hull, settings, together, nodes, field_directions)
     bodies = [RadiatingBody(task.stored(workers, progress), x, y) for task, x, y in tasks]
     found = forward_speed.hydrodynamics(bodies, omega, directions, speed, density, warnings=notes)
+    if hull.count == 2:
+        found.attrs |= _gap_attributes(hull, wetted)
+    if hull.count == 2 and together and settings.tunnel_damping == 0:
+        found.attrs["warnings"] = "\n".join([*notes, _gap_note(found, omega)]).strip()
     if not with_field:
         if settings.wave_field == "total":
             raise InputError(
@@ -92,6 +97,26 @@ def hydrodynamics(
             )
         return found, None
     return found, _field_at(bodies[0].radiation, omega, directions, sides)
+
+
+def _gap_attributes(hull: Hull, wetted: Panels) -> dict[str, float]:
+    """Return the estimated resonances of the water between two hulls."""
+    both = 2.0 if wetted.mirrored else 1.0
+    waterplane = both * wetted.moment(lambda x, y, z: np.ones_like(x))
+    estimate = gap_resonance(hull.spacing - hull.shape.beam, hull.shape.beam, wetted.volume / waterplane)
+    return {"gap_piston_frequency": estimate.piston, "gap_sloshing_frequency": estimate.sloshing}
+
+
+def _gap_note(found: xr.Dataset, omega: np.ndarray) -> str:
+    """Say where the water between the hulls resonates, if that is among the frequencies."""
+    piston = found.attrs["gap_piston_frequency"]
+    if not omega[0] < piston < omega[-1]:
+        return ""
+    return (
+        f"The water between the hulls resonates near {piston:.3g} rad/s (piston mode, estimated) and near "
+        f"{found.attrs['gap_sloshing_frequency']:.3g} rad/s (sloshing); potential flow leaves it undamped: a tunnel "
+        "damping of 0.02 to 0.05 tames it."
+    )
 
 
 def _field_at(solved: xr.Dataset, omega: np.ndarray, directions: np.ndarray, sides: np.ndarray) -> xr.Dataset:

@@ -8,6 +8,7 @@ from workbench import quantities
 from workbench.conventions import KNOT, MODES, ROTATIONS, froude_number
 from workbench.design import Design
 from workbench.geometry.hydrostatics import equilibrium, hydrostatics, stiffness_matrix
+from workbench.hydrodynamics.gap_resonance import gap_resonance
 from workbench.motions import lead_over_wave
 from workbench.pipeline import Response, Slamming
 from workbench.time_domain import Realisation
@@ -36,6 +37,10 @@ def particulars(design: Design) -> dict[str, Any]:
         ],
         "warnings": list(equilibrium(design.hull, design.masses, design.density)),
     }
+    if design.hull.count == 2:
+        gap = design.hull.spacing - design.hull.shape.beam
+        mean_draught = float(afloat.volume / afloat.waterplane_area)
+        values["gap_resonance"] = gap_resonance(gap, design.hull.shape.beam, mean_draught)._asdict()
     for bulky in ("stations", "vertices", "faces"):
         if bulky in values["hull"].get("shape", {}):
             values["hull"]["shape"][bulky] = f"{len(values['hull']['shape'][bulky])} rows"
@@ -65,6 +70,10 @@ def particulars_text(values: dict[str, Any]) -> str:
         deck = values["wet_deck"]
         lines.append(f"  {'wet deck x':<34} {deck['aft']:.4g} to {deck['fore']:.4g} m")
         lines.append(f"  {'wet deck width, clearance':<34} {deck['width']:.4g}, {deck['clearance']:.4g} m")
+    if "gap_resonance" in values:
+        gap = values["gap_resonance"]
+        shown = f"{gap['piston']:.3g} rad/s piston, {gap['sloshing']:.3g} rad/s sloshing"
+        lines.append(f"  {'water between hulls resonates at':<34} {shown} (estimates)")
     if values["provenance"]:
         lines += ["", "  provenance"]
         for entry in values["provenance"]:
