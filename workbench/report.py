@@ -7,11 +7,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from workbench import __version__, quantities
-from workbench.app.verdict import verdict
 from workbench.conventions import KNOT, MODES, TRANSLATIONS
 from workbench.figures import clearance, counts, deck_plan, hull_lines, motions, pressure, style
 from workbench.geometry.sections import surface
 from workbench.motions import lead_over_wave
+from workbench.verdict import verdict
 
 if TYPE_CHECKING:
     from workbench.study import Study
