@@ -77,3 +77,15 @@ def test_report_lists_numbers_reasons_and_counts(monkeypatch):
 
     monkeypatch.setattr(report, "all_cases", lambda slow=False: {"made": chosen[:2]})
     assert report.cases()[0]
+
+
+def test_refused_case_fails_with_its_sentence(monkeypatch):
+    def refuse():
+        raise InputError("speed must be slower.")
+
+    found = outcome(made(1.0, computed=refuse))
+    assert (found.verdict, found.refusal) == ("fails", "speed must be slower.")
+    monkeypatch.setattr(report, "all_cases", lambda slow=False: {"made": [made(1.0, computed=refuse)]})
+    passed, values = report.cases()
+    assert not passed
+    assert "made-up was refused: speed must be slower." in report.text(values)

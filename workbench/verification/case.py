@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from workbench.errors import checked_choice, checked_number
+from workbench.errors import InputError, checked_choice, checked_number
 
 KINDS = ("closed form", "published", "second code", "second method", "trend")
 VERDICTS = ("agrees", "known miss", "fails")
@@ -59,12 +59,13 @@ class Case:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Outcome:
-    """A case that was run: the computed number, the verdict, and the time it took [s]."""
+    """A case that was run: the computed number, the verdict, the time it took [s], and why it was refused."""
 
     case: Case
     computed: float
     verdict: str
     seconds: float
+    refusal: str = ""
 
     @property
     def difference(self) -> float:
@@ -87,6 +88,7 @@ class Outcome:
             "verdict": self.verdict,
             "note": self.case.note,
             "miss": self.case.miss,
+            "refusal": self.refusal,
             "seconds": round(self.seconds, 3),
         }
 
@@ -95,17 +97,22 @@ def outcome(case: Case) -> Outcome:
     """Run a case.
 
     The verdict is "agrees" within the tolerance, "known miss" outside it where the
-    case says so and the figure is the one it names, and "fails" otherwise.
+    case says so and the figure is the one it names, and "fails" otherwise, also
+    where the package refuses to compute.
     """
     start = time.perf_counter()
-    computed = float(case.computed())
+    refusal = ""
+    try:
+        computed = float(case.computed())
+    except InputError as error:
+        computed, refusal = float("nan"), str(error)
     seconds = time.perf_counter() - start
     verdict = "fails"
     if abs(computed - case.published) <= case.tolerance:
         verdict = "agrees"
     elif case.miss and abs(computed - case.miss_figure) <= case.miss_band:
         verdict = "known miss"
-    return Outcome(case=case, computed=computed, verdict=verdict, seconds=seconds)
+    return Outcome(case=case, computed=computed, verdict=verdict, seconds=seconds, refusal=refusal)
 
 
 def relative_difference(computed, known, scale=None) -> float:

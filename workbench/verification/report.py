@@ -108,9 +108,10 @@ def _cases_text(values: dict[str, Any]) -> str:
     if reasons:
         lines += ["", "Why the known misses miss"]
         lines += [f"  ({number}) {reason}" for reason, number in reasons.items()]
-    failing = [row["id"] for row in values["cases"] if row["verdict"] == "fails"]
+    failing = [row for row in values["cases"] if row["verdict"] == "fails"]
     if failing:
-        lines += ["", f"Failing: {', '.join(failing)}"]
+        lines += ["", f"Failing: {', '.join(row['id'] for row in failing)}"]
+        lines += [f"  {row['id']} was refused: {row['refusal']}" for row in failing if row["refusal"]]
     counts = ", ".join(f"{number} {verdict}" for verdict, number in values["counts"].items())
     return "\n".join([*lines[1:], "", f"{len(values['cases'])} cases in {values['seconds']:.0f} s: {counts}"])
 
