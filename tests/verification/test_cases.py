@@ -30,10 +30,10 @@ def test_slow_cases_are_left_out_unless_asked_for():
     }
 
 
-def made(computed, **changes):
+def made(number, **changes):
     values = {
         "id": "made-up", "title": "a number", "kind": "closed form", "source": "nowhere",
-        "published": 1.0, "computed": lambda: computed, "tolerance": 0.1,
+        "published": 1.0, "computed": lambda: number, "tolerance": 0.1,
     }  # fmt: skip
     return Case(**{**values, **changes})
 

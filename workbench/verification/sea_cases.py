@@ -202,7 +202,7 @@ def _ochi_cases() -> list[Case]:
             computed=lambda: _largest_pressure(3.0),
             tolerance=0.03 * largest,
             unit="kPa",
-            note=f"{example}; rho k m2 [ln(T/2pi sqrt(m2/m0)) - d^2/2 m0]; tolerance: 48 classes of velocity",
+            note=f"{example}; rho k m2 [ln(T/2pi sqrt(m2/m0)) - d^2/2 m0]; tolerance: its cells of velocity",
         ),
         Case(
             id="required-height-inverts-rate",
