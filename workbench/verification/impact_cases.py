@@ -170,7 +170,7 @@ def cases() -> list[Case]:
         made.append(
             Case(
                 id=name,
-                title=label,
+                title=f"{label}, k of the library" if "library" in name else label,
                 kind=kind,
                 source=source,
                 published=number,
@@ -288,7 +288,7 @@ def _open_row_case(row: dict[str, str]) -> Case:
         computed=lambda: model_slam(row)[column],
         tolerance=CLOSING[column],
         unit={"wave_velocity_fps": "ft/s", "k_recorded": "-"}[column],
-        miss="the numbers printed in this row contradict one another; none can be put right by one digit",
+        miss="the numbers printed in this row contradict one another, and nothing says which is right",
         miss_figure=figures[run],
         miss_band=0.002,
     )

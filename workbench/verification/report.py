@@ -95,18 +95,18 @@ def _cases_text(values: dict[str, Any]) -> str:
     for row in values["cases"]:
         if row["group"] != group:
             group = row["group"]
-            lines += ["", f"{group:<86}{'known':>11}{'computed':>11}{'difference':>12}{'tolerance':>11}"]
+            lines += ["", f"{group:<104}{'known':>11}{'computed':>12}{'difference':>13}{'tolerance':>11}"]
         known, computed, difference = (_number(row[name]) for name in ("published", "computed", "difference"))
         unit = "" if row["unit"] == "-" else f" [{row['unit']}]"
         mark = ""
         if row["verdict"] == "known miss":
             mark = f"({reasons.setdefault(row['miss'], str(len(reasons) + 1))})"
         lines.append(
-            f"  {row['title'] + unit:<84}{known:>11}{computed:>11}{difference:>12}{row['tolerance']:>11.3g}"
+            f"  {row['title'] + unit:<102}{known:>11}{computed:>12}{difference:>13}{row['tolerance']:>11.3g}"
             f"  {row['verdict']} {mark}".rstrip()
         )
     if reasons:
-        lines += ["", "Why the known misses miss"]
+        lines += ["", "Why the known misses miss, as far as we know"]
         lines += [f"  ({number}) {reason}" for reason, number in reasons.items()]
     failing = [row for row in values["cases"] if row["verdict"] == "fails"]
     if failing:
