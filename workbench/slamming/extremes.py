@@ -72,9 +72,10 @@ def largest_peak_pressure(
 
     deepest = np.log(np.maximum(expected / exceedance, 1.0)) + 4.0
     edges = np.linspace(0.0, 1.0, _VELOCITY_STEPS + 1)[:, None, None] * np.sqrt(deepest)
-    share = np.exp(-(edges[:-1] ** 2)) - np.exp(-(edges[1:] ** 2))
-    middle = (edges[:-1] + edges[1:]) / 2
-    velocity = np.sqrt(threshold**2 + 2 * velocity_std**2 * middle**2)
+    exceeded = np.exp(-(edges**2))
+    share = exceeded[:-1] - exceeded[1:]
+    middle = -np.log((exceeded[:-1] + exceeded[1:]) / 2)
+    velocity = np.sqrt(threshold**2 + 2 * velocity_std**2 * middle)
 
     on_motion = moments.motion_slope_covariance.values / motion_std**2
     on_velocity = moments.velocity_slope_covariance.values / velocity_std**2
