@@ -11,9 +11,10 @@ from collections.abc import Callable
 import numpy as np
 import traitlets
 
+from workbench.app.case import Case
 from workbench.app.job import Job
 from workbench.app.model import Counted, Findings, Model
-from workbench.app.reading import Case, control_named, in_words
+from workbench.app.reading import control_named, in_words
 from workbench.errors import InputError
 
 WORKERS = 2
@@ -98,7 +99,8 @@ class Desk(traitlets.HasTraits):
                 self.error = ""
             except Exception as error:
                 self.is_current = False
-                self.error = f"{type(error).__name__}: {error}"
+                what = f"{type(error).__name__}: {error}"
+                self.error = f"Something went wrong ({what}); change an input or reload the page."
             with self._condition:
                 self._done = max(self._done, number)
 

@@ -9,8 +9,8 @@ import numpy as np
 import xarray as xr
 
 from workbench import __version__, quantities
+from workbench.app.case import Case
 from workbench.app.model import Findings
-from workbench.app.reading import Case
 from workbench.cache import with_split_complex
 
 

@@ -2,6 +2,7 @@
 
 import html
 import json
+import threading
 import traceback
 from collections.abc import Callable
 from typing import Any
@@ -36,12 +37,15 @@ PERMALINK = (
 """Inputs that the address of the page holds."""
 
 FIRST_TAB = 1
+ROOM_ABOVE = 215
+"""Height of what stands above and below the animation [px]."""
 
 
 class Page:
     """One page with its own model; everything that belongs to one reader hangs on it."""
 
     def __init__(self) -> None:
+        self._lock = threading.RLock()
         self.model = Model()
         self.head = Head(self._head_said, version=__version__)
         self.form = Form(
@@ -102,6 +106,9 @@ class Page:
         elif kind == "resume":
             self.desk.resume()
         elif kind == "hello":
+            height = content.get("height")
+            if isinstance(height, int | float):
+                self.panels[3].height = int(min(max(height - ROOM_ABOVE, 460), 900))
             self._open_again(content.get("state"), content.get("query"))
 
     def _open_again(self, state: object, query: object) -> None:
@@ -144,7 +151,7 @@ class Page:
         if model.design_name == LOADED:
             designs.append([LOADED, f"loaded: {model.base.title or model.base.name}"])
         state = model.state()
-        with self.form.hold_sync():
+        with self._lock, self.form.hold_sync():
             self.form.designs = designs
             self.form.design = model.design_name
             self.form.values = inputs
@@ -152,7 +159,7 @@ class Page:
             self.form.notes = self._notes(inputs)
             self.form.changed = changed
         small = {name: inputs[name] for name in PERMALINK if name in inputs and inputs[name] != ""}
-        with self.head.hold_sync():
+        with self._lock, self.head.hold_sync():
             self.head.permalink = (
                 "" if model.design_name == LOADED else urlencode({"design": model.design_name, **small})
             )
@@ -175,7 +182,7 @@ class Page:
 
     def _describe_results(self, *_: object) -> None:
         head, slam = self.head, self.model.findings.slam if self.model.findings else None
-        with head.hold_sync():
+        with self._lock, head.hold_sync():
             head.problems = list(self.model.blockers)
             head.error = self.desk.error
             if self.model.findings is not None:
@@ -191,7 +198,7 @@ class Page:
     def _describe_work(self, *_: object) -> None:
         hull, count = self.desk.hull_job, self.desk.count_job
         head = self.head
-        with head.hold_sync():
+        with self._lock, head.hold_sync():
             busy = next((job for job in (hull, count) if job.state == "running"), None)
             head.busy = busy is not None
             head.progress = busy.progress if busy else 0.0

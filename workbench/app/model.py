@@ -9,10 +9,11 @@ import numpy as np
 import traitlets
 import xarray as xr
 
+from workbench.app.case import Case
 from workbench.app.inputs import inputs_for
 from workbench.app.reading import (
-    Case,
     Problems,
+    as_typed,
     case_of,
     changed_inputs,
     inputs_of,
@@ -120,7 +121,7 @@ class Model(traitlets.HasTraits):
         if name not in self.inputs or not isinstance(value, int | float | str):
             return
         self.notice = ""
-        self.inputs = changed_inputs(self.inputs, name, value)
+        self.inputs = changed_inputs(self.inputs, name, as_typed(name, value, self.base))
 
     def restore_design(self) -> None:
         """Undo all changes to the design, not to condition and criterion."""
@@ -169,7 +170,7 @@ class Model(traitlets.HasTraits):
             if not allowed or isinstance(value, bool) or not isinstance(value, int | float | str):
                 ignored.append(f"{key} = {value!r} is not an input of this page.")
             else:
-                usable[key] = value
+                usable[key] = as_typed(key, value, self.base)
         self.inputs = self.inputs | usable
         return ignored
 

@@ -3,9 +3,9 @@
 import dataclasses
 import math
 import tomllib
-from dataclasses import dataclass
 from typing import Any
 
+from workbench.app.case import LONGEST_COUNT, Case
 from workbench.app.inputs import CONDITION_DEFAULTS, DECK_LENGTHS, OWN_SEA, inputs_for, rounded_to
 from workbench.conventions import GRAVITY, KNOT
 from workbench.design import Design
@@ -16,8 +16,6 @@ from workbench.seas import Condition, SeaState, period_ratio
 from workbench.time_domain import Realisation
 
 LARGEST_UPLOAD = 5_000_000
-LONGEST_COUNT = 3.0
-"""Hours counted at most [h]; longer ones count for the extremes alone."""
 
 _DECK_FIELDS = {name: name.removeprefix("deck_") for name in DECK_LENGTHS} | {"clearance": "clearance"}
 _GROUP_OF_PART = {
@@ -28,48 +26,6 @@ _GROUP_OF_PART = {
     "run": "run",
     "slams": "slams",
 }
-
-
-@dataclass(frozen=True, kw_only=True)
-class Case:
-    """Everything a result depends on."""
-
-    design: Design
-    condition: Condition
-    threshold: str | float
-    law: PressureLaw
-    hours: float
-    criterion_per_hour: float
-    seed: int
-
-    @property
-    def realisation(self) -> Realisation:
-        """The realisation in which slams are counted."""
-        return Realisation(seed=self.seed, hours=min(self.hours, LONGEST_COUNT))
-
-    @property
-    def response_key(self) -> tuple:
-        """What hydrodynamics and motions depend on."""
-        return self.design.hull, self.design.masses, self.design.density, self.condition.speed
-
-    @property
-    def plan_key(self) -> tuple:
-        """What the relative motion over the deck depends on."""
-        deck = self.design.wet_deck
-        return self.response_key, deck and (deck.aft, deck.fore, deck.width)
-
-    @property
-    def slamming_key(self) -> tuple:
-        """What the closed-form statistics depend on."""
-        return self.counting_key[:-1], self.hours, self.criterion_per_hour
-
-    @property
-    def counting_key(self) -> tuple:
-        """What the counted slams depend on."""
-        return (
-            self.response_key, self.design.wet_deck, self.condition, self.threshold, self.law,
-            (self.hours, self.seed),
-        )  # fmt: skip
 
 
 class Problems(Exception):  # noqa: N818
@@ -280,6 +236,13 @@ def _as_number(value: Any) -> Any:
         except ValueError:
             return value or "nothing"
     return value
+
+
+def as_typed(name: str, value: Any, base: Design) -> Any:
+    """Return text that was typed into a number box as the number it is, other text as it stands."""
+    is_number = any(one.name == name and one.kind == "number" for one in inputs_for(base))
+    typed = _as_number(value) if is_number else value
+    return typed if isinstance(typed, str) or math.isfinite(typed) else str(value)
 
 
 def in_words(sentence: str) -> str:

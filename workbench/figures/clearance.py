@@ -1,6 +1,5 @@
 """How much clearance: slams per hour at the worst point against the clearance of the deck."""
 
-import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -31,7 +30,7 @@ def clearance_figure(
     rates = curve.slams_per_hour.values
     highest = style.rounded_up(max(float(rates.max()), 2 * criterion_per_hour))
     lowest = min(criterion_per_hour / 10, highest / 10**DECADES * 100)
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure()
         axes = style.single_axes(figure)
         axes.axhspan(lowest, criterion_per_hour, color="#e7f1e4", zorder=0)

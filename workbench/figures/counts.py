@@ -1,6 +1,5 @@
 """Does counting agree: slams counted against the closed form, and their classes of velocity."""
 
-import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -22,7 +21,7 @@ def counts_figure(
     exact, counted = statistics.isel(y=column), counts.isel(y=column)
     x, number = exact.x.values, counted.counted_per_hour.values
     low, high = counted.counted_band_low.values, counted.counted_band_high.values
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure()
         axes = style.single_axes(figure)
         axes.errorbar(
@@ -46,7 +45,7 @@ def velocity_classes_figure(classes: xr.Dataset) -> Figure:
     number = classes.class_count.values
     if number.sum() == 0:
         return style.message_figure("No slam was counted in this realisation.")
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure()
         axes = style.single_axes(figure)
         middle, width = (limits[1:] + limits[:-1]) / 2, np.diff(limits)

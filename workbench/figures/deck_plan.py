@@ -1,6 +1,5 @@
 """Where on the wet deck: banded contours over its plan, bow to the right."""
 
-import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.colors import BoundaryNorm
@@ -44,7 +43,7 @@ def deck_plan_figure(
     y = np.concatenate([[edges_y[0]], deck.y.values, [edges_y[-1]]])
     padded = np.pad(field, 1, mode="edge")
     top = float(field.max())
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure(size)
         axes = style.single_axes(figure, left=0.72, right=1.05, top=0.36)
         levels = MaxNLocator(BANDS, min_n_ticks=5).tick_values(0.0, style.rounded_up(top))

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.collections import PolyCollection
@@ -20,7 +19,7 @@ def body_plan_figure(sections: HullSections) -> Figure:
     """Wetted sections of one hull about its own centre plane: fore half right, aft half left."""
     aft, fore = sections.x[0], sections.x[-1]
     middle = (aft + fore) / 2
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure()
         axes = style.single_axes(figure)
         for wanted in np.linspace(aft, fore, STATIONS_DRAWN + 2)[1:-1]:
@@ -64,7 +63,7 @@ def arrangement_figure(
         heights += [float(deck.height.min()), float(deck.height.max())]
     upright = min(heights) - margin, max(heights) + margin
     beam = np.abs(vertices[:, 1]).max() + margin
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure, profile, plan = _to_scale(ends, upright, (-beam, beam))
         for axes, pair in ((profile, (0, 2)), (plan, (0, 1))):
             skin = PolyCollection(corners[..., pair], facecolor=_SKIN, edgecolor=_SKIN, linewidth=0.4)

@@ -1,6 +1,5 @@
 """How the ship answers regular waves: motions per wave amplitude, and their phases."""
 
-import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -35,7 +34,7 @@ def motions_figure(
     """
     one, phases = _at(motion_set, wave_direction), _at(lead, wave_direction)
     along, order = _abscissa(one, abscissa, length)
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure(_SIZE)
         figure.subplots_adjust(left=0.08, right=0.985, top=0.94, bottom=0.115, wspace=0.2, hspace=0.16)
         rows = figure.subplots(2, 3, sharex=True, gridspec_kw={"height_ratios": (3, 2)})
@@ -60,7 +59,7 @@ def six_motions_figure(
     """Amplitudes of all six motions; parameters as for `motions_figure`."""
     one = _at(motion_set, wave_direction)
     along, order = _abscissa(one, abscissa, length)
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure(_SIZE)
         figure.subplots_adjust(left=0.08, right=0.985, top=0.94, bottom=0.115, wspace=0.2, hspace=0.3)
         rows = figure.subplots(2, 3, sharex=True)

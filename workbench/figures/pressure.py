@@ -1,6 +1,5 @@
 """How hard: peak pressures of the slams of a realisation."""
 
-import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
@@ -23,7 +22,7 @@ def pressure_histogram_figure(events: xr.Dataset, *, expected_peak: float, hours
     if pressures.size == 0:
         return style.message_figure("No slam was counted in this realisation.")
     top = style.rounded_up(max(float(pressures.max()), expected_peak / 1e3))
-    with mpl.rc_context(style.STYLE):
+    with style.drawing():
         figure = style.blank_figure()
         axes = style.single_axes(figure, top=0.62, right=0.32)
         axes.hist(

@@ -5,7 +5,9 @@ shown a little smaller than made still has 10 points.
 """
 
 import io
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
 import matplotlib as mpl
 import numpy as np
@@ -57,6 +59,16 @@ STYLE = {
 }
 
 
+_ONE_AT_A_TIME = threading.RLock()
+
+
+@contextmanager
+def drawing() -> Iterator[None]:
+    """Style for drawing; one thread at a time, since matplotlib's settings belong to the process."""
+    with _ONE_AT_A_TIME, mpl.rc_context(STYLE):
+        yield
+
+
 def blank_figure(size: tuple[float, float] = NORMAL) -> Figure:
     """Empty figure with the canvas that paints it."""
     figure = Figure(figsize=size)
@@ -75,7 +87,7 @@ def single_axes(
 
 def message_figure(sentence: str, size: tuple[float, float] = NORMAL) -> Figure:
     """Figure that says why there is nothing to draw."""
-    with mpl.rc_context(STYLE):
+    with drawing():
         figure = blank_figure(size)
         figure.text(0.5, 0.5, sentence, ha="center", va="center", color=SOFT, wrap=True)
     return figure
@@ -92,7 +104,7 @@ def picture(figure: Figure, kind: str = "png") -> bytes:
             "pil_kwargs": {"compress_level": 1},
         }
     )
-    with mpl.rc_context(STYLE):
+    with drawing():
         figure.savefig(stream, format=kind, **options)
     return stream.getvalue()
 

@@ -13,6 +13,7 @@ class AnimationPanel(SlammingPanel):
     needs_counts = True
     needs_scene = True
     sea_view = None
+    height = HEIGHT
 
     def build(self):
         """Make the place for the view; the view comes with the first scene."""
@@ -31,7 +32,7 @@ class AnimationPanel(SlammingPanel):
             from workbench.scene.sea_view import sea_view
 
             self.sea_view = sea_view(scene, "pressure" if "pressure" in scene else "relative_motion_history")
-            self.sea_view.height = HEIGHT
+            self.sea_view.height = self.height
             self.sea_view.add_class("wb-sea")
             self._shown = scene
             self.parts = (self.sea_view, self.note)

@@ -33,6 +33,7 @@ class MotionsPanel(Panel):
         self.drawings = [Drawing(self.rao, self._key, self._figure, self._words, self._notes)]
         self.statistics = card()
         self.statistics.add_class("wb-wide")
+        self.statistics.add_class("wb-beside")
         return [grid(self.rao, self.statistics)]
 
     def _key(self):
@@ -88,8 +89,8 @@ class MotionsPanel(Panel):
         self.statistics.value = table(
             "Motions in this sea",
             ("at the centre of gravity", "motion σ", "velocity σ", "acceleration σ",
-             "significant double amplitude 4σ"),
-            rows, "σ: standard deviation.",
+             "height 4σ"),
+            rows, "σ: standard deviation; 4σ: significant height, from trough to crest.",
         )  # fmt: skip
 
     def reason(self) -> str:

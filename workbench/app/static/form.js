@@ -137,7 +137,8 @@ function render({ model, el }) {
     for (const [name, part] of Object.entries(parts)) {
       if (name !== "design" && name in values && !(now - (touched[name] ?? -1e9) < HOLD)) {
         const shown = String(values[name]);
-        if (part.box.value !== shown) part.box.value = shown;
+        const typing = document.activeElement === part.box && number(part.box.value) === number(shown);
+        if (part.box.value !== shown && !typing) part.box.value = shown;
         if (part.slider) part.slider.value = shown;
       }
       const rules = part.field?.shown_if ?? [];

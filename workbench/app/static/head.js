@@ -18,7 +18,7 @@ function initialize({ model }) {
   const query = location.search.replace(/^\?/, "");
   if (inVoila()) {
     const same = session && (session.query === query || !query);
-    model.send({ type: "hello", query: same ? "" : query, state: same ? session.state : "" });
+    model.send({ type: "hello", query: same ? "" : query, state: same ? session.state : "", height: window.innerHeight });
   }
   model.on("msg:custom", (content, buffers) => {
     if (content.type !== "file") return;
