@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from workbench import animation, pipeline, quantities, radiation_store
+from workbench import animation, pipeline, quantities, radiation_store, sea_energy
 from workbench.conventions import GRAVITY
 from workbench.errors import InputError
 from workbench.hydrodynamics import radiation
@@ -87,7 +87,7 @@ def test_counted_and_closed_form_agree_over_the_deck(ship, twin, relative):
 
 def test_short_crested_seas_share_the_energy_over_the_headings(twin):
     spread = Condition(speed=0.0, wave_direction=np.pi, sea_state=replace(SEA, spreading_exponent=2))
-    found = pipeline.response(twin, 0.0, pipeline.directions_for(spread), None, COARSE)
+    found = pipeline.response(twin, 0.0, sea_energy.directions_for(spread), None, COARSE)
     relative = pipeline.deck_response(found, twin.wet_deck, (8, 3))
     short = pipeline.slamming(found, relative, twin.wet_deck, spread)
     long = pipeline.slamming(found, relative, twin.wet_deck, condition())

@@ -14,9 +14,25 @@ import numpy as np
 import typer
 
 from workbench import __version__, designs, tables
-from workbench.conventions import GRAVITY, KNOT
-from workbench.design import Design
-from workbench.errors import InputError, checked_number
+from workbench.command_inputs import (
+    DesignArgument,
+    FroudeOption,
+    HeadingOption,
+    InteractionOption,
+    JsonOption,
+    PanelsOption,
+    SpeedOption,
+    TreatmentOption,
+    TunnelOption,
+    check_method,
+    deck_points_of,
+    frequencies_of,
+    number_or_word,
+    settings_of,
+    speed_of,
+    wave_direction_of,
+)
+from workbench.errors import InputError
 
 application = typer.Typer(
     help="Motions and wet-deck slamming of catamarans: from hull and sea to slams, pressure and clearance.",
@@ -25,23 +41,6 @@ application = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-
-DesignArgument = Annotated[str, typer.Argument(metavar="DESIGN", help="A library name or a TOML file.")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
-SpeedOption = Annotated[float | None, typer.Option("--speed-knots", help="Speed [kn].")]
-FroudeOption = Annotated[
-    float | None, typer.Option("--froude", help="Froude number on the length, instead of knots.")
-]
-HeadingOption = Annotated[float, typer.Option("--heading-degrees", help="180 is head seas, 0 following.")]
-PanelsOption = Annotated[int, typer.Option("--panels", help="Panels of the whole ship.")]
-InteractionOption = Annotated[str, typer.Option("--interaction", help="Between the hulls: auto, on or off.")]
-TreatmentOption = Annotated[
-    str,
-    typer.Option("--speed-treatment", help="encounter-frequency or forward-speed (Capytaine's own option)."),
-]
-TunnelOption = Annotated[
-    float, typer.Option("--tunnel-damping", help="Damping of the water between the hulls, 0 to 0.2.")
-]
 
 
 def main() -> None:
@@ -60,49 +59,6 @@ def _print_json(values: dict[str, Any]) -> None:
 def _print_warnings(sentences: list[str]) -> None:
     for sentence in sentences:
         print(f"warning: {sentence}", file=sys.stderr)
-
-
-def _speed(design: Design, speed_knots: float | None, froude: float | None) -> float:
-    """Speed [m/s] from knots or a Froude number, exactly one of which is given."""
-    if (speed_knots is None) == (froude is None):
-        raise InputError("speed must be given once: either --speed-knots or --froude.")
-    if froude is not None:
-        checked_number("froude", froude, at_least=0, at_most=3)
-        return froude * float(np.sqrt(GRAVITY * design.hull.length))
-    return checked_number("speed-knots", speed_knots, "kn", at_least=0, at_most=100) * KNOT
-
-
-def _wave_direction(heading_degrees: float) -> float:
-    return float(
-        np.radians(
-            checked_number(
-                "heading-degrees",
-                heading_degrees,
-                "degrees",
-                at_least=0,
-                at_most=360,
-                cure="180 is head seas",
-            )
-        )
-    )
-
-
-def _settings(panels: int, interaction: str, speed_treatment: str, tunnel_damping: float):
-    from workbench.hydrodynamics.settings import PotentialFlowSettings
-
-    return PotentialFlowSettings(
-        panels=panels,
-        interaction=interaction,
-        speed_treatment=speed_treatment,
-        tunnel_damping=tunnel_damping,
-    )
-
-
-def _check_method(method: str) -> None:
-    if method != "potential-flow":
-        raise InputError(
-            f"method must be potential-flow, got {method!r}; other theories are not in this version."
-        )
 
 
 @application.callback(invoke_without_command=True)
@@ -156,12 +112,12 @@ def rao(
     """Motions per wave amplitude in regular waves."""
     from workbench import pipeline
 
-    _check_method(method)
+    check_method(method)
     chosen = designs.design(design)
-    speed = _speed(chosen, speed_knots, froude)
-    direction = _wave_direction(heading_degrees)
-    frequencies, ratios_rise = _frequencies(chosen, omega, wavelength_ratio)
-    settings = _settings(panels, interaction, speed_treatment, tunnel_damping)
+    speed = speed_of(chosen, speed_knots, froude)
+    direction = wave_direction_of(heading_degrees)
+    frequencies, ratios_rise = frequencies_of(chosen, omega, wavelength_ratio)
+    settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
     ship = pipeline.response(chosen, speed, [direction], np.sort(frequencies), settings)
     values = tables.motion_table(ship, descending=ratios_rise)
     if as_json:
@@ -169,37 +125,6 @@ def rao(
     else:
         print(tables.motion_text(values))
         _print_warnings(values["warnings"])
-
-
-def _frequencies(design: Design, omega: str | None, wavelength_ratio: str | None) -> tuple[np.ndarray, bool]:
-    """Wave frequencies [rad/s] and whether the wavelengths were asked for (so that they shall rise)."""
-    if (omega is None) == (wavelength_ratio is None):
-        raise InputError(
-            "frequencies must be given once: either --omega LO:HI:N or --wavelength-ratio LO:HI:N."
-        )
-    if omega is not None:
-        return _range("omega", omega, "rad/s"), False
-    ratios = _range("wavelength-ratio", wavelength_ratio, "")
-    return np.sqrt(2 * np.pi * GRAVITY / (ratios * design.hull.length)), True
-
-
-def _range(name: str, text: str, unit: str) -> np.ndarray:
-    """Read LO:HI:N."""
-    parts = text.split(":")
-    if len(parts) != 3:
-        raise InputError(f"{name} must be LO:HI:N, for instance 0.5:2:16, got {text!r}.")
-    try:
-        low, high, count = float(parts[0]), float(parts[1]), int(parts[2])
-    except ValueError:
-        raise InputError(f"{name} must be two numbers and a whole number LO:HI:N, got {text!r}.") from None
-    checked_number(f"lowest {name}", low, unit, above=0)
-    checked_number(f"highest {name}", high, unit, at_least=low)
-    checked_number(f"number of {name} values", count, at_least=1, at_most=500)
-    if (count > 1) == (high == low):
-        raise InputError(
-            f"{name} must have a highest value above its lowest and N > 1, or both equal and N = 1."
-        )
-    return np.linspace(low, high, count)
 
 
 @application.command()
@@ -233,15 +158,15 @@ def slam(
     as_json: JsonOption = False,
 ) -> None:
     """Wet-deck slamming in an irregular sea: closed form over the deck, and counted."""
-    from workbench import pipeline
+    from workbench import pipeline, sea_energy
     from workbench.impact.pressure import PressureLaw
     from workbench.seas import Condition, SeaState
     from workbench.time_domain import Realisation
 
     chosen = designs.with_clearance(designs.design(design), clearance)
     condition = Condition(
-        speed=_speed(chosen, speed_knots, froude),
-        wave_direction=_wave_direction(heading_degrees),
+        speed=speed_of(chosen, speed_knots, froude),
+        wave_direction=wave_direction_of(heading_degrees),
         sea_state=SeaState(
             significant_wave_height=hs,
             peak_period=tp,
@@ -251,11 +176,11 @@ def slam(
         ),
     )
     realisation = Realisation(seed=seed, hours=hours)
-    settings = _settings(panels, interaction, speed_treatment, tunnel_damping)
+    settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
     law = PressureLaw(name=pressure_law)
-    points = _deck_points(deck_points)
-    least_velocity = pipeline.threshold_of(_number_or_word(threshold), chosen)
-    directions = pipeline.directions_for(condition)
+    points = deck_points_of(deck_points)
+    least_velocity = pipeline.threshold_of(number_or_word(threshold), chosen)
+    directions = sea_energy.directions_for(condition)
     ship = pipeline.response(chosen, condition.speed, directions, None, settings)
     relative = pipeline.deck_response(ship, chosen.wet_deck, points)
     found = pipeline.slamming(
@@ -275,24 +200,6 @@ def slam(
     else:
         print(tables.slamming_text(values))
         _print_warnings(values["warnings"])
-
-
-def _number_or_word(text: str) -> str | float:
-    """Return "ochi", or a number."""
-    if text == "ochi":
-        return text
-    try:
-        return float(text)
-    except ValueError:
-        raise InputError(f"threshold must be 0, ochi or a velocity in m/s, got {text!r}.") from None
-
-
-def _deck_points(text: str) -> tuple[int, int]:
-    """Read NXxNY."""
-    parts = text.lower().split("x")
-    if len(parts) != 2 or not all(part.isdigit() and 1 <= int(part) <= 400 for part in parts):
-        raise InputError(f"deck-points must be two whole numbers from 1 to 400 such as 40x10, got {text!r}.")
-    return int(parts[0]), int(parts[1])
 
 
 @application.command()
@@ -320,12 +227,12 @@ def run(
     chosen = designs.with_clearance(designs.design(design), clearance)
     if speed_knots is None and froude is None:
         froude = 0.3
-    speed = _speed(chosen, speed_knots, froude)
+    speed = speed_of(chosen, speed_knots, froude)
     index = study.written_study(
         chosen,
         out,
         speed=speed,
-        wave_direction=_wave_direction(heading_degrees),
+        wave_direction=wave_direction_of(heading_degrees),
         significant_wave_height=hs,
         peak_period=tp,
         seed=seed,

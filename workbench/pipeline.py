@@ -25,7 +25,8 @@ from workbench.impact.pressure import PressureLaw
 from workbench.motions import motions
 from workbench.radiation_store import usual_directions
 from workbench.relative_motion import relative_motion
-from workbench.seas import Condition, spreading_weights, wave_spectrum
+from workbench.sea_energy import band_notes, wave_energy
+from workbench.seas import Condition
 from workbench.slamming import criteria, events, extremes, statistics
 from workbench.time_domain import Realisation, relative_amplitudes, wave_components
 
@@ -149,36 +150,6 @@ def deck_response(
     return relative_motion(ship.motions, wet_deck_grid(wet_deck, *points), ship.wave_field)
 
 
-def wave_energy(condition: Condition, omega: xr.DataArray, wave_directions: xr.DataArray) -> xr.DataArray:
-    """Spectrum times the share of each direction (omega, wave_direction) [m2 s/rad].
-
-    Raises
-    ------
-    InputError if the condition's direction is not among (within half a degree of) the computed ones.
-    """
-    directions = wave_directions.values
-    away = np.abs(np.angle(np.exp(1j * (directions - condition.wave_direction))))
-    if away.min() > np.radians(0.5):
-        known = ", ".join(f"{np.degrees(direction):.0f}" for direction in directions)
-        raise InputError(
-            f"wave direction must be one of the computed ones ({known} degrees), got "
-            f"{np.degrees(condition.wave_direction):.1f} degrees; compute that heading first."
-        )
-    shares = spreading_weights(directions, condition.wave_direction, condition.sea_state.spreading_exponent)
-    spectrum = wave_spectrum(condition.sea_state, omega.values)
-    return xr.DataArray(
-        spectrum[:, None] * shares, coords={"omega": omega, "wave_direction": wave_directions}
-    )
-
-
-def directions_for(condition: Condition) -> np.ndarray:
-    """Directions that a condition needs: its own, or in short-crested seas 13 over +-90 degrees about it [rad]."""
-    if condition.sea_state.spreading_exponent is None:
-        return np.array([condition.wave_direction])
-    around = condition.wave_direction + np.radians(np.arange(-90, 91, 15))
-    return np.unique(np.round(np.mod(around, 2 * np.pi), 12))
-
-
 def threshold_of(choice: str | float, design: Design) -> float:
     """Threshold velocity [m/s] from 0, a number, or "ochi" (0.093 sqrt(g L))."""
     if choice == "ochi":
@@ -229,7 +200,7 @@ def slamming(
         *quantities.warnings_of(found),
         *law.validity,
         *_velocity_notes(law, found),
-        *_band_notes(energy, condition),
+        *band_notes(energy, condition),
     )
     found.attrs["warnings"] = "\n".join(dict.fromkeys(notes))
     found.attrs["speed"] = ship.speed
@@ -259,19 +230,6 @@ def _velocity_notes(law: PressureLaw, found: xr.Dataset) -> tuple[str, ...]:
     return (
         f"The hardest entries, {fastest:.1f} m/s, are faster than the {FASTEST_TRIAL_ENTRY} m/s of the full-scale "
         "trials that Chuang's pressures were compared with.",
-    )
-
-
-def _band_notes(energy: xr.DataArray, condition: Condition) -> tuple[str, ...]:
-    """Say so where the computed frequencies miss much of the sea."""
-    omega = energy.omega.values
-    covered = np.trapezoid(energy.sum("wave_direction").values, omega)
-    share = covered / (condition.sea_state.significant_wave_height**2 / 16)
-    if share > 0.95:
-        return ()
-    return (
-        f"The computed waves of omega {omega[0]:.2f} to {omega[-1]:.2f} rad/s hold {100 * share:.0f} % of the energy "
-        "of this sea: the rest is too long or too short for this ship and is left out.",
     )
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from workbench import animation, cache, files, pipeline, quantities, report, tables
+from workbench import animation, cache, files, pipeline, quantities, report, sea_energy, tables
 from workbench.conventions import GRAVITY
 from workbench.design import Design
 from workbench.errors import InputError
@@ -65,7 +65,7 @@ def study(
     settings: PotentialFlowSettings | None = None,
 ) -> Study:
     """Compute a whole study; seconds for a known hull, half a minute for a new one."""
-    ship = pipeline.response(design, condition.speed, pipeline.directions_for(condition), None, settings)
+    ship = pipeline.response(design, condition.speed, sea_energy.directions_for(condition), None, settings)
     relative = pipeline.deck_response(ship, design.wet_deck)
     slam = pipeline.slamming(ship, relative, design.wet_deck, condition, hours=realisation.hours)
     found, counts = pipeline.counted_slams(ship, relative, slam, realisation)

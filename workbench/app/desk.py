@@ -160,7 +160,7 @@ class Desk(traitlets.HasTraits):
 
     def _follow(self, case: Case) -> bool:
         """Bring the closed-form statistics up to date; False where the inputs are refused."""
-        from workbench import pipeline
+        from workbench import pipeline, sea_energy
         from workbench.slamming.criteria import clearance_curve
 
         found = self.model.findings
@@ -183,7 +183,7 @@ class Desk(traitlets.HasTraits):
                 )
                 curve = clearance_curve(slam.moments, slam.deck.height, slam.clearance, reach, slam.threshold)
             else:
-                pipeline.wave_energy(
+                sea_energy.wave_energy(
                     case.condition, self._ship.motions.omega, self._ship.motions.wave_direction
                 )
         except InputError as error:

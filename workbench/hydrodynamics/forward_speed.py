@@ -31,13 +31,9 @@ from scipy.interpolate import CubicSpline
 
 from workbench import quantities
 from workbench.conventions import GRAVITY, MODES, encounter_frequency, wavenumber
+from workbench.hydrodynamics.incident_wave import incident_normal_velocity, incident_potential
 from workbench.hydrodynamics.potential_flow import refuse_overtaken_waves
-from workbench.hydrodynamics.radiation import (
-    SYMMETRIC_MODES,
-    incident_normal_velocity,
-    incident_potential,
-    mode_normals,
-)
+from workbench.hydrodynamics.radiation import SYMMETRIC_MODES, mode_normals
 
 VENTILATION_FROUDE_NUMBER = 2.5
 """Froude number on the transom draught from which the transom is taken to run dry [-]."""

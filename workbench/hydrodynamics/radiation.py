@@ -28,6 +28,7 @@ from workbench.errors import InputError
 from workbench.geometry.faceted import joined
 from workbench.geometry.panels import Panels
 from workbench.hydrodynamics import potential_flow
+from workbench.hydrodynamics.incident_wave import incident_normal_velocity, incident_potential
 
 SYMMETRIC_MODES = (0, 2, 4)
 ANTISYMMETRIC_MODES = (1, 3, 5)
@@ -70,33 +71,6 @@ def all_sources(problem: RadiationProblem) -> Panels:
 def mode_normals(centres: np.ndarray, normals: np.ndarray) -> np.ndarray:
     """Normal velocity of unit motions about the origin, (6, n): n and r x n."""
     return np.concatenate([normals, np.cross(centres, normals)], axis=1).T
-
-
-def incident_potential(points: np.ndarray, omega: float, wave_direction) -> np.ndarray:
-    """Potential of a deep-water wave of unit amplitude with its crest at the origin at t = 0 [m2/s].
-
-    Parameters
-    ----------
-    points : (n, 3) [m]; omega : [rad/s]; wave_direction : one or several [rad].
-
-    Returns
-    -------
-    (n,) or (wave_direction, n).
-    """
-    k = wavenumber(omega)
-    beta = np.asarray(wave_direction)[..., None]
-    along = points[:, 0] * np.cos(beta) + points[:, 1] * np.sin(beta)
-    return -1j * GRAVITY / omega * np.exp(k * points[:, 2] + 1j * k * along)
-
-
-def incident_normal_velocity(
-    centres: np.ndarray, normals: np.ndarray, omega: float, wave_direction
-) -> np.ndarray:
-    """Normal velocity of the same wave at panel centres [m/s], shaped as `incident_potential`."""
-    k = wavenumber(omega)
-    beta = np.asarray(wave_direction)[..., None]
-    across = 1j * (normals[:, 0] * np.cos(beta) + normals[:, 1] * np.sin(beta)) + normals[:, 2]
-    return k * incident_potential(centres, omega, wave_direction) * across
 
 
 def frequency_solution(
@@ -215,8 +189,7 @@ def solution_stream(
 ) -> Iterator[Iterator[dict[str, np.ndarray]]]:
     """Give the solutions one by one, in order; from worker processes when ``workers`` > 1.
 
-    The solver holds the interpreter lock for the length of a matrix build, so an
-    interface that must stay alive asks for workers.
+    The solver holds the interpreter lock: an interface that must stay alive asks for workers.
     """
     if workers > 1:
         with ProcessPoolExecutor(workers, mp_context=get_context("forkserver")) as pool:

@@ -1,0 +1,125 @@
+"""What the command line reads: its options, and the values they stand for."""
+
+from typing import Annotated
+
+import numpy as np
+import typer
+
+from workbench.conventions import GRAVITY, KNOT
+from workbench.design import Design
+from workbench.errors import InputError, checked_number
+from workbench.hydrodynamics.settings import PotentialFlowSettings
+
+DesignArgument = Annotated[str, typer.Argument(metavar="DESIGN", help="A library name or a TOML file.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+SpeedOption = Annotated[float | None, typer.Option("--speed-knots", help="Speed [kn].")]
+FroudeOption = Annotated[
+    float | None, typer.Option("--froude", help="Froude number on the length, instead of knots.")
+]
+HeadingOption = Annotated[float, typer.Option("--heading-degrees", help="180 is head seas, 0 following.")]
+PanelsOption = Annotated[int, typer.Option("--panels", help="Panels of the whole ship.")]
+InteractionOption = Annotated[str, typer.Option("--interaction", help="Between the hulls: auto, on or off.")]
+TreatmentOption = Annotated[
+    str,
+    typer.Option("--speed-treatment", help="encounter-frequency or forward-speed (Capytaine's own option)."),
+]
+TunnelOption = Annotated[
+    float, typer.Option("--tunnel-damping", help="Damping of the water between the hulls, 0 to 0.2.")
+]
+
+
+def speed_of(design: Design, speed_knots: float | None, froude: float | None) -> float:
+    """Speed [m/s] from knots or a Froude number, exactly one of which is given."""
+    if (speed_knots is None) == (froude is None):
+        raise InputError("speed must be given once: either --speed-knots or --froude.")
+    if froude is not None:
+        checked_number("froude", froude, at_least=0, at_most=3)
+        return froude * float(np.sqrt(GRAVITY * design.hull.length))
+    return checked_number("speed-knots", speed_knots, "kn", at_least=0, at_most=100) * KNOT
+
+
+def wave_direction_of(heading_degrees: float) -> float:
+    """Wave direction [rad] from a heading in degrees, 0 to 360."""
+    return float(
+        np.radians(
+            checked_number(
+                "heading-degrees",
+                heading_degrees,
+                "degrees",
+                at_least=0,
+                at_most=360,
+                cure="180 is head seas",
+            )
+        )
+    )
+
+
+def settings_of(
+    panels: int, interaction: str, speed_treatment: str, tunnel_damping: float
+) -> PotentialFlowSettings:
+    """Settings of the potential-flow method."""
+    return PotentialFlowSettings(
+        panels=panels,
+        interaction=interaction,
+        speed_treatment=speed_treatment,
+        tunnel_damping=tunnel_damping,
+    )
+
+
+def check_method(method: str) -> None:
+    """Refuse methods that are not in this version."""
+    if method != "potential-flow":
+        raise InputError(
+            f"method must be potential-flow, got {method!r}; other theories are not in this version."
+        )
+
+
+def frequencies_of(
+    design: Design, omega: str | None, wavelength_ratio: str | None
+) -> tuple[np.ndarray, bool]:
+    """Wave frequencies [rad/s] and whether the wavelengths were asked for (so that they shall rise)."""
+    if (omega is None) == (wavelength_ratio is None):
+        raise InputError(
+            "frequencies must be given once: either --omega LO:HI:N or --wavelength-ratio LO:HI:N."
+        )
+    if omega is not None:
+        return numbers_of_range("omega", omega, "rad/s"), False
+    ratios = numbers_of_range("wavelength-ratio", wavelength_ratio, "")
+    return np.sqrt(2 * np.pi * GRAVITY / (ratios * design.hull.length)), True
+
+
+def numbers_of_range(name: str, text: str, unit: str) -> np.ndarray:
+    """Read LO:HI:N."""
+    parts = text.split(":")
+    if len(parts) != 3:
+        raise InputError(f"{name} must be LO:HI:N, for instance 0.5:2:16, got {text!r}.")
+    try:
+        low, high, count = float(parts[0]), float(parts[1]), int(parts[2])
+    except ValueError:
+        raise InputError(f"{name} must be two numbers and a whole number LO:HI:N, got {text!r}.") from None
+    checked_number(f"lowest {name}", low, unit, above=0)
+    checked_number(f"highest {name}", high, unit, at_least=low)
+    checked_number(f"number of {name} values", count, at_least=1, at_most=500)
+    if (count > 1) == (high == low):
+        raise InputError(
+            f"{name} must have a highest value above its lowest and N > 1, or both equal and N = 1."
+        )
+    return np.linspace(low, high, count)
+
+
+def number_or_word(text: str) -> str | float:
+    """Return "ochi", or a number."""
+    if text == "ochi":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(f"threshold must be 0, ochi or a velocity in m/s, got {text!r}.") from None
+
+
+def deck_points_of(text: str) -> tuple[int, int]:
+    """Read NXxNY."""
+    parts = text.lower().split("x")
+    if len(parts) != 2 or not all(part.isdigit() and 1 <= int(part) <= 400 for part in parts):
+        raise InputError(f"deck-points must be two whole numbers from 1 to 400 such as 40x10, got {text!r}.")
+    return int(parts[0]), int(parts[1])
