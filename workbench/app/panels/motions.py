@@ -73,7 +73,7 @@ class MotionsPanel(Panel):
         rows = []
         for index, mode in enumerate(MODES):
             turn = mode in ROTATIONS
-            factor, unit = (180 / np.pi, "deg") if turn else (1.0, "m")
+            factor, unit = (180 / np.pi, "°") if turn else (1.0, " m")
             cells = [
                 values[name].values[index] * factor
                 for name in ("motion_std", "velocity_std", "acceleration_std")
@@ -82,15 +82,15 @@ class MotionsPanel(Panel):
             rows.append(
                 (
                     mode,
-                    *(f"{_words(cell)} {end}" for cell, end in zip(cells, ends, strict=True)),
-                    f"{_words(4 * cells[0])} {unit}",
+                    *(f"{_words(cell)}{end}" for cell, end in zip(cells, ends, strict=True)),
+                    f"{_words(4 * cells[0])}{unit}",
                 )
             )
         self.statistics.value = table(
             "Motions in this sea",
-            ("at the centre of gravity", "motion σ", "velocity σ", "acceleration σ",
+            ("", "motion σ", "velocity σ", "acceleration σ",
              "height 4σ"),
-            rows, "σ: standard deviation; 4σ: significant height, from trough to crest.",
+            rows, "At the centre of gravity. σ: standard deviation; 4σ: significant height, from trough to crest.",
         )  # fmt: skip
 
     def reason(self) -> str:
