@@ -135,6 +135,27 @@ def test_threshold_by_ochi_lowers_the_count(capsys):
     assert json.loads(out)["threshold_velocity"] == 0.3
 
 
+def test_a_measured_spectrum_is_read_from_a_file(capsys, tmp_path):
+    from workbench.seas import SeaState, wave_spectrum
+
+    omega = np.linspace(2.0, 15.0, 200)
+    table = wave_spectrum(SeaState(significant_wave_height=0.15, peak_period=1.5), omega)
+    path = tmp_path / "sea.csv"
+    path.write_text(
+        "# omega, ordinate\n" + "\n".join(f"{a:.8f}, {b:.10f}" for a, b in zip(omega, table, strict=True))
+    )
+    rates = []
+    for more in ((), ("--spectrum-file", path)):
+        code, out, err = run(capsys, "slam", "delft-372", *SLAM, *more, "--deck-points", "6x3", "--json")
+        assert code == 0, err
+        rates.append(json.loads(out)["worst_point"]["slams_per_hour"])
+    assert rates[1] == pytest.approx(rates[0], rel=0.05)
+    path.write_text("1 2\nx y\n")
+    code, out, err = run(capsys, "slam", "delft-372", *SLAM, "--spectrum-file", path, "--json")
+    assert (code, out) == (2, "")
+    assert "spectrum-file" in err
+
+
 def test_a_toml_file_is_a_design(capsys, tmp_path):
     path = tmp_path / "own.toml"
     path.write_text(design_to_toml(library.design("delft-372")).replace('name = "delft-372"', 'name = "own"'))

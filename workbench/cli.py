@@ -13,7 +13,7 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from workbench import __version__, designs, tables
+from workbench import __version__, designs, tables, tool_commands
 from workbench.command_inputs import (
     DesignArgument,
     FroudeOption,
@@ -28,7 +28,9 @@ from workbench.command_inputs import (
     deck_points_of,
     frequencies_of,
     number_or_word,
+    progress_line,
     settings_of,
+    spectrum_table_of,
     speed_of,
     wave_direction_of,
 )
@@ -118,7 +120,9 @@ def rao(
     direction = wave_direction_of(heading_degrees)
     frequencies, ratios_rise = frequencies_of(chosen, omega, wavelength_ratio)
     settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
-    ship = pipeline.response(chosen, speed, [direction], np.sort(frequencies), settings)
+    ship = pipeline.response(
+        chosen, speed, [direction], np.sort(frequencies), settings, progress=progress_line()
+    )
     values = tables.motion_table(ship, descending=ratios_rise)
     if as_json:
         _print_json(values)
@@ -139,6 +143,9 @@ def slam(
         str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")
     ] = "bretschneider",
     peak_enhancement: Annotated[float, typer.Option(help="gamma of jonswap.")] = 3.3,
+    spectrum_file: Annotated[
+        Path | None, typer.Option(help="Measured spectrum: lines of omega, ordinate; scaled to --hs.")
+    ] = None,
     spreading: Annotated[
         float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")
     ] = None,
@@ -170,8 +177,9 @@ def slam(
         sea_state=SeaState(
             significant_wave_height=hs,
             peak_period=tp,
-            spectrum=spectrum,
+            spectrum="user" if spectrum_file else spectrum,
             peak_enhancement=peak_enhancement,
+            table=spectrum_table_of(spectrum_file),
             spreading_exponent=spreading,
         ),
     )
@@ -181,7 +189,7 @@ def slam(
     points = deck_points_of(deck_points)
     least_velocity = pipeline.threshold_of(number_or_word(threshold), chosen)
     directions = sea_energy.directions_for(condition)
-    ship = pipeline.response(chosen, condition.speed, directions, None, settings)
+    ship = pipeline.response(chosen, condition.speed, directions, None, settings, progress=progress_line())
     relative = pipeline.deck_response(ship, chosen.wet_deck, points)
     found = pipeline.slamming(
         ship,
@@ -243,69 +251,8 @@ def run(
     print(index)
 
 
-@application.command()
-def verify(
-    features: Annotated[
-        bool, typer.Option("--features", help="The table of features and its evidence.")
-    ] = False,
-    slow: Annotated[bool, typer.Option("--slow", help="Also the cases that take minutes.")] = False,
-    as_json: JsonOption = False,
-) -> None:
-    """Print the verification cases: published value, computed value, difference, tolerance."""
-    from workbench.verification import report
-
-    passed, values = report.features() if features else report.cases(slow=slow)
-    if as_json:
-        _print_json(values)
-    else:
-        print(report.text(values))
-    if not passed:
-        raise SystemExit(1)
-
-
-@application.command("app")
-def open_app(
-    port: Annotated[int, typer.Option(help="Port; 0 takes a free one.")] = 8866,
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser.")] = True,
-) -> None:
-    """Open the app in a browser."""
-    from workbench.app import server
-
-    server.run_app(port=port, open_browser=browser)
-
-
-@application.command("lab")
-def open_lab(
-    port: Annotated[int, typer.Option(help="Port; 0 takes a free one.")] = 8888,
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser.")] = True,
-) -> None:
-    """Open the notebooks in JupyterLab."""
-    from workbench.app import server
-
-    server.run_lab(port=port, open_browser=browser)
-
-
-@application.command()
-def prepare() -> None:
-    """Do what is done once per machine: tabulate the Green function of the panel method (some 20 s)."""
-    from workbench.hydrodynamics.potential_flow import prepared_green_function
-
-    prepared_green_function()
-    print("The panel method is ready.")
-
-
-@application.command()
-def precompute(
-    names: Annotated[list[str], typer.Argument(help="Library designs.")],
-    out: Annotated[
-        Path | None, typer.Option("--out", help="Folder; the one shipped with the package if left out.")
-    ] = None,
-) -> None:
-    """Compute the hydrodynamics of library designs, as shipped with the package."""
-    from workbench import shipped
-
-    for path in shipped.written_hydrodynamics(names, out):
-        print(path)
+for command in tool_commands.COMMANDS:
+    application.command(command.__name__.removeprefix("open_"))(command)
 
 
 if __name__ == "__main__":

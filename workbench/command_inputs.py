@@ -1,5 +1,8 @@
 """What the command line reads: its options, and the values they stand for."""
 
+import sys
+from collections.abc import Callable
+from pathlib import Path
 from typing import Annotated
 
 import numpy as np
@@ -123,3 +126,36 @@ def deck_points_of(text: str) -> tuple[int, int]:
     if len(parts) != 2 or not all(part.isdigit() and 1 <= int(part) <= 400 for part in parts):
         raise InputError(f"deck-points must be two whole numbers from 1 to 400 such as 40x10, got {text!r}.")
     return int(parts[0]), int(parts[1])
+
+
+def spectrum_table_of(path: Path | None) -> tuple[tuple[float, float], ...]:
+    """Read a measured spectrum: lines of omega [rad/s] and ordinate [m2 s/rad], by comma or blank, # for remarks."""
+    if path is None:
+        return ()
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+        lines = [line.split("#")[0].replace(",", " ").split() for line in text.splitlines()]
+        rows = [tuple(float(part) for part in line) for line in lines if line]
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(
+            f"spectrum-file must be a readable text file, got {path}: {error}; check the path."
+        ) from error
+    except ValueError as error:
+        raise InputError(f"spectrum-file must hold two numbers a line, got {path}: {error}.") from error
+    if any(len(row) != 2 for row in rows):
+        raise InputError(
+            f"spectrum-file must hold two numbers a line (omega, ordinate), {path} has other lines."
+        )
+    return rows
+
+
+def progress_line() -> Callable[[float, str], None]:
+    """Progress on standard error, where a person is looking at it."""
+
+    def told(fraction: float, message: str) -> None:
+        if sys.stderr.isatty():
+            ending = "\n" if fraction >= 1 else ""
+            sys.stderr.write(f"\r  {100 * fraction:3.0f} %  {message:<40}{ending}")
+            sys.stderr.flush()
+
+    return told
