@@ -188,7 +188,9 @@ class Desk(traitlets.HasTraits):
                 )
         except InputError as error:
             self.is_current = False
-            self.model.problems = {control_named(str(error), self.model.base, "run"): in_words(str(error))}
+            cure = "choose one of these, or another speed"
+            sentence = str(error).replace("compute that heading first", cure)
+            self.model.problems = {control_named(sentence, self.model.base, "run"): in_words(sentence)}
             return False
         self.model.findings = Findings(case, self._ship, relative, slam, curve)
         return True
