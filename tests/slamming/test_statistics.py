@@ -260,3 +260,16 @@ def test_entries_of_a_regular_wave_are_found_to_the_instant():
     np.testing.assert_allclose(found.entry_angle, np.arctan(water), atol=2e-3)
     expected = peak_pressure(PressureLaw(), found.entry_velocity.values, found.entry_angle.values, 1025.0)
     np.testing.assert_allclose(found.peak_pressure, expected)
+
+
+@pytest.mark.parametrize("share", [1e-2, 1e-4, 0.0])
+def test_a_calm_is_calm_without_a_warning(share):
+    relative, energy = flat_band(slope=0.2)
+    moments = statistics.response_moments(relative, energy * share)
+    plate = deck(2.0)
+    found = statistics.slamming_statistics(moments, plate.height)
+    assert float(found.slams_per_hour.max()) < 1e-80
+    assert float(largest_peak_pressure(moments, found, plate, PressureLaw(), 1025.0, 1.0).max()) == 0
+    assert criteria.least_clearance(moments, plate.height, 2.0, 20.0) == pytest.approx(
+        2.3926714 * np.sqrt(share), rel=1e-5
+    )

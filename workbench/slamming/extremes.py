@@ -103,7 +103,7 @@ def largest_peak_pressure(
     second = np.maximum(np.argmax(above >= exceedance, axis=0), 1)[None]
     fewer, more = (np.take_along_axis(above, index, axis=0)[0] for index in (second - 1, second))
     higher, lower = (np.take_along_axis(ranked, index, axis=0)[0] for index in (second - 1, second))
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         between = np.log(exceedance / fewer) / np.log(more / fewer)
     found = higher + np.clip(np.nan_to_num(between), 0.0, 1.0) * (lower - higher)
     found = np.where(expected > exceedance, found, 0.0)
