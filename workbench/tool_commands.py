@@ -31,11 +31,14 @@ def verify(
 def open_app(
     port: Annotated[int, typer.Option(help="Port; 0 takes a free one.")] = 8866,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser.")] = True,
+    address: Annotated[
+        str, typer.Option(help="Address to listen at; 0.0.0.0 also serves other machines.")
+    ] = "127.0.0.1",
 ) -> None:
     """Open the app in a browser."""
     from workbench.app import server
 
-    server.run_app(port=port, open_browser=browser)
+    server.run_app(port=port, open_browser=browser, address=address)
 
 
 def open_lab(

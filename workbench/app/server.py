@@ -1,5 +1,7 @@
 """Serves the page by Voila, and the notebooks by JupyterLab: the settings, and nothing of the page itself."""
 
+import errno
+import ipaddress
 import os
 import socket
 import subprocess
@@ -11,6 +13,7 @@ from workbench.errors import InputError, checked_number
 HERE = Path(__file__).parent
 TEMPLATE_FOLDER = HERE / "voila_template"
 NOTEBOOK = "workbench.ipynb"
+HERE_ALONE = "127.0.0.1"
 POOL_SIZE = 2
 IDLE_SECONDS, CULL_INTERVAL = 900, 60
 LABEXTENSIONS = ("@jupyter-widgets/jupyterlab-manager", "@voila-dashboards/widgets-manager8", "anywidget")
@@ -26,21 +29,27 @@ def notebook_path() -> Path:
     )
 
 
-def free_port(port: int, ip: str = "127.0.0.1") -> int:
+def free_port(port: int, ip: str = HERE_ALONE) -> int:
     """Return the port if it is free, or any free one for 0; a busy port is refused."""
     port = int(checked_number("port", port, at_least=0, at_most=65535))
     with socket.socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind((ip, port))
-        except OSError:
+        except OSError as error:
+            if error.errno == errno.EADDRNOTAVAIL:
+                raise InputError(
+                    f"address must be one of this machine, {ip} is not; 127.0.0.1 always is."
+                ) from None
             raise InputError(
                 f"port must be free, {port} is in use; give another, or 0 for any free one."
             ) from None
         return int(probe.getsockname()[1])
 
 
-def voila_arguments(port: int, open_browser: bool, pool_size: int = POOL_SIZE) -> list[str]:
+def voila_arguments(
+    port: int, open_browser: bool, pool_size: int = POOL_SIZE, address: str = HERE_ALONE
+) -> list[str]:
     """Arguments of Voila for the page at a port that is free.
 
     Warm kernels wait for readers; a kernel is ended when its page has been closed
@@ -54,7 +63,7 @@ def voila_arguments(port: int, open_browser: bool, pool_size: int = POOL_SIZE) -
     }
     settings: dict[str, object] = {
         "Voila.port": port,
-        "Voila.ip": "127.0.0.1",
+        "Voila.ip": address,
         "Voila.port_retries": 0,
         "Voila.open_browser": open_browser,
         "VoilaConfiguration.template": "workbench",
@@ -86,21 +95,40 @@ def environment() -> dict[str, str]:
     }
 
 
-def run_app(port: int = 8866, open_browser: bool = True) -> None:
-    """Serve the page until interrupted."""
-    _run(["-m", "voila", *voila_arguments(free_port(port), open_browser)])
+def checked_address(address: str) -> str:
+    """Return an IP address at which this machine can listen."""
+    try:
+        return str(ipaddress.IPv4Address(address))
+    except ValueError:
+        raise InputError(
+            f"address must be an IPv4 address, got {address!r}; 127.0.0.1 serves this machine alone, 0.0.0.0 "
+            "every network it is in."
+        ) from None
+
+
+def run_app(port: int = 8866, open_browser: bool = True, address: str = HERE_ALONE) -> None:
+    """Serve the page until interrupted, to this machine alone or, at address 0.0.0.0, to its networks."""
+    address = checked_address(address)
+    _run(["-m", "voila", *voila_arguments(free_port(port, address), open_browser, address=address)])
+
+
+def lab_arguments(port: int, open_browser: bool, folder: Path | None = None) -> list[str]:
+    """Arguments of JupyterLab for a folder of notebooks: no news, no question about them, no update check."""
+    settings: dict[str, object] = {
+        "ServerApp.port": port,
+        "ServerApp.port_retries": 0,
+        "ServerApp.ip": HERE_ALONE,
+        "ServerApp.root_dir": folder or notebook_path().parent,
+        "ServerApp.open_browser": open_browser,
+        "LabApp.news_url": None,
+        "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
+    }
+    return [f"--{name}={value}" for name, value in settings.items()]
 
 
 def run_lab(port: int = 8888, open_browser: bool = True) -> None:
     """Serve the notebooks by JupyterLab until interrupted."""
-    folder = notebook_path().parent
-    arguments = [
-        f"--ServerApp.port={free_port(port)}",
-        "--ServerApp.port_retries=0",
-        "--ServerApp.ip=127.0.0.1",
-    ]
-    arguments += [f"--ServerApp.root_dir={folder}", f"--ServerApp.open_browser={open_browser}"]
-    _run(["-m", "jupyterlab", *arguments])
+    _run(["-m", "jupyterlab", *lab_arguments(free_port(port), open_browser)])
 
 
 def _run(arguments: list[str]) -> None:
