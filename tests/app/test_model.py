@@ -5,13 +5,18 @@ import sys
 import numpy as np
 import pytest
 
-from workbench.app.inputs import inputs_for, slider_step
+from workbench.app.control import slider_step
+from workbench.app.inputs import inputs_for
+from workbench.app.method_inputs import METHOD_DEFAULTS
 from workbench.app.model import LOADED, Model
-from workbench.app.reading import Problems, case_of, inputs_of, uploaded_design, usual_inputs
+from workbench.app.notes import notes_under
+from workbench.app.reading import Problems, case_of, uploaded_design, usual_inputs
+from workbench.app.ship_inputs import inputs_of
 from workbench.conventions import KNOT
 from workbench.errors import InputError
 from workbench.files import design_to_toml
 from workbench.hulls import library
+from workbench.hydrodynamics.settings import PotentialFlowSettings
 
 
 @pytest.fixture
@@ -53,7 +58,11 @@ def test_units_of_the_page(model):
         ("criterion", 0, "criterion"), ("hours", "nan", "number"), ("seed", 1.5, "whole number"),
         ("spacing", 3.0, "touch"), ("mass", 0, "mass"), ("pitch_gyradius", 500, "gyradius"),
         ("deck_fore", -50, "fore end"), ("deck_width", 90, "width"), ("corner_radius", 50, "corner radius"),
-        ("camber", -1, "camber"),
+        ("camber", -1, "camber"), ("trim_degrees", 11, "degrees"), ("heel_degrees", 31, "degrees"),
+        ("deck_trim_degrees", -11, "wet deck trim"), ("sinkage", 90, "sinkage"), ("heel_degrees", "x", "number"),
+        ("centre_bow_depth", 1, "both be 0"), ("roll_damping_ratio", 2, "roll damping"),
+        ("tunnel_damping", 0.3, "tunnel damping"), ("panels", 100, ">= 200"), ("panels", 5000, "4000"),
+        ("panels", 500.5, "whole number"),
     ],
 )  # fmt: skip
 def test_refused_input_is_a_sentence_at_its_control(model, name, value, words):
@@ -72,6 +81,67 @@ def test_two_problems_stand_at_two_controls(model):
     model.change("spacing", 0)
     assert model.case() is None
     assert set(model.problems) == {"wave_height", "spacing"}
+
+
+def test_angles_are_typed_in_degrees(model):
+    for name, value in (("trim_degrees", 1), ("heel_degrees", -2), ("deck_trim_degrees", "0.5")):
+        model.change(name, value)
+    design = model.case().design
+    assert np.degrees([design.hull.trim, design.hull.heel]) == pytest.approx([1, -2])
+    assert np.degrees(design.wet_deck.trim) == pytest.approx(0.5)
+    assert inputs_of(design)["heel_degrees"] == -2
+
+
+def test_sinkage_centre_bow_and_roll_damping_reach_the_design(model):
+    bow = {"centre_bow_length": 12.0, "centre_bow_depth": 1.2, "centre_bow_width": 6.0}
+    for name, value in {**bow, "sinkage": 0.2, "roll_damping_ratio": 0.1}.items():
+        model.change(name, value)
+    design = model.case().design
+    assert {name: getattr(design.wet_deck, name) for name in bow} == bow
+    assert (design.hull.sinkage, design.masses.roll_damping_ratio) == (0.2, 0.1)
+
+
+def test_method_is_the_usual_one_until_it_is_changed(model):
+    assert model.case().settings == PotentialFlowSettings()
+    usual = model.case().response_key
+    changes = {"interaction": "on", "wave_field": "incident", "tunnel_damping": 0.03, "panels": 600}
+    for name, value in changes.items():
+        before = model.case().response_key
+        model.change(name, value)
+        assert model.case().response_key != before
+    assert model.case().settings == PotentialFlowSettings(**changes)
+    assert isinstance(model.case().settings.panels, int)
+    other = Model()
+    assert other.restore(json.loads(json.dumps(model.state()))) == []
+    assert other.case() == model.case()
+    for name, value in METHOD_DEFAULTS.items():
+        model.change(name, value)
+    assert model.case().response_key == usual
+
+
+def test_method_offers_what_there_is_and_outlasts_the_ship(model):
+    model.change("panels", 600)
+    model.choose("cofea")
+    assert model.inputs["panels"] == 600
+    assert "interaction" not in model.inputs
+    assert model.case().settings.panels == 600
+    model.choose("austal-63")
+    assert model.inputs["interaction"] == "auto"
+    assert {one.name for one in inputs_for(model.base) if one.group == "method"} == set(METHOD_DEFAULTS)
+
+
+def test_notes_say_what_the_automatic_choices_come_to(model):
+    def notes(**inputs):
+        return notes_under({**model.inputs, **inputs}, model.base)
+
+    assert "Each hull alone" in notes(speed_knots=24)["interaction"]
+    assert "Solved together" in notes(speed_knots=5)["interaction"]
+    assert "own waves" in notes(speed_knots=0)["wave_field"]
+    assert "Incident wave only" in notes(speed_knots=0, interaction="off")["wave_field"]
+    assert "interaction" not in notes(interaction="on")
+    assert "tames" in notes(interaction="on")["tunnel_damping"]
+    assert "Acts only" in notes(interaction="off")["tunnel_damping"]
+    assert "panels" not in notes(panels="many")
 
 
 def test_numbers_with_a_comma_are_read(model):

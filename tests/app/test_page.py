@@ -102,6 +102,27 @@ def test_new_speed_goes_through_the_job_and_greys_until_then(page):
     assert page.desk.is_current
 
 
+def test_another_method_greys_until_it_is_computed_and_stands_in_the_address(page):
+    open_tab(page, "Motions")
+    assert "panels" not in page.head.permalink
+    tones, pictures = [], page.panels[0].rao.picture
+    page.head.observe(lambda change: tones.append(change.new), "tone")
+    page.model.change("panels", 300)
+    page.model.change("tunnel_damping", 0.05)
+    assert page.desk.settle(60)
+    assert "old" in tones
+    assert page.desk.is_current
+    assert page.model.findings.ship.settings.panels == 300
+    assert page.panels[0].rao.picture != pictures
+    assert {"panels=300", "tunnel_damping=0.05"} <= set(page.head.permalink.split("&"))
+    other = main.Page()
+    other._head_said({"type": "hello", "state": "", "query": page.head.permalink})
+    assert other.model.case().settings == page.model.case().settings
+    page.model.change("panels", 1000)
+    page.model.change("tunnel_damping", 0)
+    assert page.desk.settle(60)
+
+
 def test_design_out_of_equilibrium_is_said_and_cured(page):
     mass = page.model.inputs["mass"]
     page.model.change("mass", 0.6 * mass)

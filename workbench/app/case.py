@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from workbench.design import Design
+from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.impact.pressure import PressureLaw
 from workbench.seas import Condition
 from workbench.time_domain import Realisation
@@ -22,6 +23,7 @@ class Case:
     hours: float
     criterion_per_hour: float
     seed: int
+    settings: PotentialFlowSettings
 
     @property
     def realisation(self) -> Realisation:
@@ -31,7 +33,8 @@ class Case:
     @property
     def response_key(self) -> tuple:
         """What hydrodynamics and motions depend on."""
-        return self.design.hull, self.design.masses, self.design.density, self.condition.speed
+        design = self.design
+        return design.hull, design.masses, design.density, self.condition.speed, self.settings
 
     @property
     def plan_key(self) -> tuple:

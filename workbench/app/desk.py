@@ -150,7 +150,9 @@ class Desk(traitlets.HasTraits):
         from workbench import pipeline
 
         def work(progress):
-            return pipeline.response(case.design, case.condition.speed, workers=WORKERS, progress=progress)
+            return pipeline.response(
+                case.design, case.condition.speed, settings=case.settings, workers=WORKERS, progress=progress
+            )
 
         def done(ship):
             self._ship, self._ship_key = ship, case.response_key

@@ -25,6 +25,11 @@ def heading_lines(case: Case) -> list[str]:
         f"sea: {sea.spectrum}, significant wave height {sea.significant_wave_height:.6g} m, peak period "
         f"{sea.peak_period:.6g} s, spreading exponent {sea.spreading_exponent}",
     ]
+    method = case.settings
+    lines.append(
+        f"method: interaction {method.interaction}, wave field {method.wave_field}, tunnel damping "
+        f"{method.tunnel_damping:g}, {method.panels} panels"
+    )
     if design.wet_deck is not None:
         lines.append(
             f"wet-deck clearance: {design.wet_deck.clearance:.6g} m; threshold: {case.threshold} m/s"

@@ -9,32 +9,31 @@ from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
 import ipywidgets as widgets
-import numpy as np
 
 from workbench import __version__
 from workbench.app.desk import Desk
 from workbench.app.form import Form
 from workbench.app.head import Head
 from workbench.app.inputs import GROUPS, inputs_for
+from workbench.app.method_inputs import METHOD_DEFAULTS
 from workbench.app.model import LOADED, Model
+from workbench.app.notes import notes_under
 from workbench.app.panels.animation import AnimationPanel
 from workbench.app.panels.design import DesignPanel
 from workbench.app.panels.files import FilesPanel
 from workbench.app.panels.motions import MotionsPanel
 from workbench.app.panels.pressure import PressurePanel
 from workbench.app.panels.slamming import SlammingPanel
-from workbench.app.reading import inputs_of
-from workbench.conventions import GRAVITY, KNOT
+from workbench.app.ship_inputs import inputs_of
 from workbench.errors import InputError
 from workbench.hulls import library
-from workbench.verdict import heading_words
 
 PERMALINK = (
     "clearance", "speed_knots", "heading_degrees", "wave_height", "period", "period_kind", "spectrum",
     "spreading",
     "criterion", "threshold_kind", "threshold", "law",
 )  # fmt: skip
-"""Inputs that the address of the page holds."""
+"""Inputs that the address of the page holds, beside the choices of the method that are not the usual ones."""
 
 FIRST_TAB = 1
 ROOM_ABOVE = 215
@@ -156,29 +155,20 @@ class Page:
             self.form.design = model.design_name
             self.form.values = inputs
             self.form.problems = dict(model.problems)
-            self.form.notes = self._notes(inputs)
+            self.form.notes = notes_under(inputs, model.base)
             self.form.changed = changed
         small = {name: inputs[name] for name in PERMALINK if name in inputs and inputs[name] != ""}
+        small |= {
+            name: inputs[name]
+            for name, usual in METHOD_DEFAULTS.items()
+            if name in inputs and inputs[name] != usual
+        }
         with self._lock, self.head.hold_sync():
             self.head.permalink = (
                 "" if model.design_name == LOADED else urlencode({"design": model.design_name, **small})
             )
             self.head.state = json.dumps(state)
             self.head.remark = model.notice
-
-    def _notes(self, inputs: dict[str, Any]) -> dict[str, str]:
-        """Return small words under the controls."""
-        notes = {}
-        try:
-            speed = float(inputs["speed_knots"]) * KNOT
-            notes["speed_knots"] = (
-                f"Froude number {speed / np.sqrt(GRAVITY * self.model.base.hull.length):.2f}"
-            )
-            words = heading_words(float(inputs["heading_degrees"]))
-            notes["heading_degrees"] = f"{words} (180 is from ahead)"
-        except (TypeError, ValueError):
-            pass
-        return notes
 
     def _describe_results(self, *_: object) -> None:
         head, slam = self.head, self.model.findings.slam if self.model.findings else None

@@ -10,16 +10,17 @@ import traitlets
 import xarray as xr
 
 from workbench.app.case import Case
-from workbench.app.inputs import inputs_for
+from workbench.app.inputs import CONDITION_DEFAULTS, inputs_for
+from workbench.app.method_inputs import METHOD_DEFAULTS
 from workbench.app.reading import (
     Problems,
     as_typed,
     case_of,
     changed_inputs,
-    inputs_of,
     uploaded_design,
     usual_inputs,
 )
+from workbench.app.ship_inputs import inputs_of
 from workbench.design import Design
 from workbench.errors import InputError
 from workbench.files import design_to_toml
@@ -100,12 +101,12 @@ class Model(traitlets.HasTraits):
         notice = ""
         ratio = design.hull.length / former.hull.length if former else 0.0
         if not 1 / ALIKE < ratio < ALIKE:
-            inputs = {**{key: inputs[key] for key in inputs if key in ("criterion", "law", "hours", "seed")}}
-            inputs = usual_inputs(design) | inputs
+            lasting = {"criterion", "law", "hours", "seed", *METHOD_DEFAULTS}
+            inputs = usual_inputs(design) | {key: inputs[key] for key in inputs if key in lasting}
             if former:
                 notice = f"Speed and sea were set to suit a ship of {design.hull.length:.3g} m."
         own = {one.name for one in inputs_for(design)}
-        kept = {key: value for key, value in inputs.items() if key in own}
+        kept = {key: value for key, value in (CONDITION_DEFAULTS | inputs).items() if key in own}
         with self.hold_trait_notifications():
             self.base = design
             self.design_name = name

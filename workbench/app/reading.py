@@ -6,7 +6,10 @@ import tomllib
 from typing import Any
 
 from workbench.app.case import LONGEST_COUNT, Case
-from workbench.app.inputs import CONDITION_DEFAULTS, DECK_LENGTHS, OWN_SEA, inputs_for, rounded_to
+from workbench.app.control import rounded_to
+from workbench.app.inputs import CONDITION_DEFAULTS, OWN_SEA, inputs_for
+from workbench.app.method_inputs import settings_of
+from workbench.app.ship_inputs import changed_part
 from workbench.conventions import GRAVITY, KNOT
 from workbench.design import Design
 from workbench.errors import InputError, checked_number
@@ -17,7 +20,6 @@ from workbench.time_domain import Realisation
 
 LARGEST_UPLOAD = 5_000_000
 
-_DECK_FIELDS = {name: name.removeprefix("deck_") for name in DECK_LENGTHS} | {"clearance": "clearance"}
 _GROUP_OF_PART = {
     "masses": "masses",
     "hull": "hull",
@@ -25,6 +27,7 @@ _GROUP_OF_PART = {
     "sea": "sea",
     "run": "run",
     "slams": "slams",
+    "method": "method",
 }
 
 
@@ -34,27 +37,6 @@ class Problems(Exception):  # noqa: N818
     def __init__(self, sentences: dict[str, str]):
         super().__init__("; ".join(sentences.values()))
         self.sentences = sentences
-
-
-def inputs_of(design: Design) -> dict[str, Any]:
-    """Return the inputs that describe a design, in the units of the page."""
-    masses, deck = design.masses, design.wet_deck
-    values: dict[str, Any] = {}
-    if deck is not None:
-        values |= {name: _short(getattr(deck, field)) for name, field in _DECK_FIELDS.items()}
-    if design.hull.count > 1:
-        values["spacing"] = _short(design.hull.spacing)
-    x, _, z = masses.centre_of_gravity
-    values |= {
-        "mass": _short(masses.mass / 1e3),
-        "centre_height": _short(z + design.hull.shape.draught),
-        "centre_x": _short(x),
-        **{
-            f"{mode}_gyradius": _short(getattr(masses, f"{mode}_gyradius"))
-            for mode in ("roll", "pitch", "yaw")
-        },
-    }
-    return values
 
 
 def usual_inputs(design: Design) -> dict[str, Any]:
@@ -84,42 +66,22 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
         label = control.label.split(" [")[0] if control else name
         return checked_number(label, _as_number(inputs.get(name))) * factor
 
-    def deck():
-        values = {field: number(name) for name, field in _DECK_FIELDS.items()}
-        return dataclasses.replace(base.wet_deck, **_unchanged(base.wet_deck, values))
+    def changed(group: str, owner: str):
+        return part(group, lambda: changed_part(base, owner, number))
 
-    def masses():
-        centre = (
-            number("centre_x"),
-            base.masses.centre_of_gravity[1],
-            number("centre_height") - base.hull.shape.draught,
-        )
-        old = base.masses.centre_of_gravity
-        centre = tuple(
-            a if math.isclose(a, b, rel_tol=1e-5, abs_tol=1e-9) else b
-            for a, b in zip(old, centre, strict=True)
-        )
-        values = {"mass": number("mass", 1e3)}
-        values |= {f"{mode}_gyradius": number(f"{mode}_gyradius") for mode in ("roll", "pitch", "yaw")}
-        return dataclasses.replace(base.masses, centre_of_gravity=centre, **_unchanged(base.masses, values))
-
-    wet_deck = part("wet deck", deck) if base.wet_deck else None
-    mass = part("masses", masses)
-    hull = base.hull
-    if hull.count > 1:
-        hull = part(
-            "hull", lambda: dataclasses.replace(hull, **_unchanged(base.hull, {"spacing": number("spacing")}))
-        )
+    wet_deck = changed("wet deck", "wet_deck") if base.wet_deck else None
+    mass, hull = changed("masses", "masses"), changed("hull", "hull")
     condition = part("sea", lambda: _condition(inputs, number))
     slams = part("slams", lambda: _slam_choices(inputs, number))
+    settings = part("method", lambda: settings_of(inputs, number))
     design = None
     if not refused:
         design = part(
             "wet deck", lambda: dataclasses.replace(base, hull=hull, wet_deck=wet_deck, masses=mass)
         )
-    if refused or design is None or condition is None or slams is None:
+    if refused or design is None:
         raise Problems(refused)
-    return Case(design=design, condition=condition, **slams)
+    return Case(design=design, condition=condition, settings=settings, **slams)
 
 
 def _condition(inputs: dict[str, Any], number) -> Condition:
@@ -213,19 +175,6 @@ def uploaded_design(text: str) -> Design:
             "save it whole with the command line first."
         )
     return design_from_toml(text + "\n")
-
-
-def _short(value: float) -> float:
-    """Return a number without the noise of binary fractions."""
-    return rounded_to(value, 6)
-
-
-def _unchanged(owner: object, values: dict[str, float]) -> dict[str, float]:
-    """Return the values, with the owner's own where the page shows the same number."""
-    return {
-        name: old if math.isclose(value, old := getattr(owner, name), rel_tol=1e-5, abs_tol=1e-12) else value
-        for name, value in values.items()
-    }
 
 
 def _as_number(value: Any) -> Any:

@@ -1,0 +1,27 @@
+"""Small words under the controls: what a number means, and what an automatic choice comes to."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from workbench.app.method_inputs import method_notes, settings_of
+from workbench.conventions import KNOT, froude_number
+from workbench.design import Design
+from workbench.errors import InputError
+from workbench.verdict import heading_words
+
+
+def notes_under(inputs: Mapping[str, Any], design: Design) -> dict[str, str]:
+    """Return the notes by name of the control; none where the number is still being typed."""
+    notes = {}
+    try:
+        speed = float(inputs["speed_knots"]) * KNOT
+        notes["speed_knots"] = f"Froude number {froude_number(speed, design.hull.length):.2f}"
+        words = heading_words(float(inputs["heading_degrees"]))
+        notes["heading_degrees"] = f"{words} (180 is from ahead)"
+        settings = settings_of(inputs, lambda name: float(inputs[name]))
+        notes |= method_notes(settings, design, speed)
+    except (InputError, TypeError, ValueError):
+        pass
+    if design.wet_deck is not None:
+        notes["sinkage"] = "The clearance of the wet deck is from still water and stays as given."
+    return notes
