@@ -2,14 +2,18 @@
 
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from workbench.app import main, server
 from workbench.app.main import app
+from workbench.app.panels.design import gap_rows
+from workbench.app.panels.motions import gap_frequency
 from workbench.errors import InputError
 from workbench.hulls import library
+from workbench.hydrodynamics.settings import PotentialFlowSettings
 
 
 @pytest.fixture(scope="module")
@@ -121,6 +125,29 @@ def test_another_method_greys_until_it_is_computed_and_stands_in_the_address(pag
     page.model.change("panels", 1000)
     page.model.change("tunnel_damping", 0)
     assert page.desk.settle(60)
+
+
+def test_resonance_between_the_hulls_is_shown(page):
+    panel = open_tab(page, "Design")
+    attributes = page.model.findings.ship.hydrodynamics.attrs
+    piston = attributes["gap_piston_frequency"]
+    assert f"{piston:.3g} rad/s, waves of {2 * np.pi / piston:.3g} s" in panel.afloat.value
+    assert len(gap_rows(attributes)) == 2
+    assert gap_rows({}) == []
+
+
+@pytest.mark.parametrize(
+    ("count", "speed", "interaction", "marked"),
+    [(2, 0, "auto", True), (2, 1, "auto", False), (2, 0, "off", False), (1, 0, "auto", False)],
+)
+def test_resonance_is_marked_where_the_hulls_are_solved_together_at_rest(count, speed, interaction, marked):
+    hull = SimpleNamespace(count=count, length=40.0)
+    ship = SimpleNamespace(
+        design=SimpleNamespace(hull=hull), speed=speed,
+        settings=PotentialFlowSettings(interaction=interaction),
+        hydrodynamics=SimpleNamespace(attrs={"gap_piston_frequency": 1.3}),
+    )  # fmt: skip
+    assert gap_frequency(ship) == (1.3 if marked else None)
 
 
 def test_design_out_of_equilibrium_is_said_and_cured(page):

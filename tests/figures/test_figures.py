@@ -157,6 +157,24 @@ def test_motions_in_degrees_over_each_axis(motion_set, abscissa):
     assert x[0] == pytest.approx(first.get(abscissa, 2 * np.pi * 9.80665 / 2.0**2 / 40.0))
 
 
+@pytest.mark.parametrize("abscissa", list(motions.ABSCISSAE))
+@pytest.mark.parametrize(("drawn", "heave"), [("motions_figure", 0), ("six_motions_figure", 2)])
+def test_gap_resonance_is_marked_where_it_is_within_the_axis(motion_set, abscissa, drawn, heave):
+    given = (motion_set, motion_set.motion_rao.real)[: 2 if drawn == "motions_figure" else 1]
+    common = {"wave_direction": np.pi, "length": 40.0, "abscissa": abscissa}
+
+    def marked(frequency):
+        figure = getattr(motions, drawn)(*given, **common, gap_frequency=frequency)
+        check_type(figure)
+        lines = [line for line in figure.axes[heave].lines if line.get_color() == style.WARM]
+        return [line.get_xdata()[0] for line in lines]
+
+    place = 2 * np.pi * 9.80665 / 1.4**2 / 40.0 if abscissa == "wavelength ratio" else 1.4
+    assert marked(1.4) == pytest.approx([place])
+    assert marked(0.05 if abscissa == "wavelength ratio" else 9.0) == []
+    assert marked(None) == []
+
+
 def test_hull_lines(twin, deck):
     check_type(hull_lines.body_plan_figure(sections(twin.hull, 21, 21)[0]))
     figure = hull_lines.arrangement_figure(*surface(twin.hull, 21, 11), deck, twin.masses.centre_of_gravity)

@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from workbench.conventions import MODES, ROTATIONS
+from workbench.conventions import GRAVITY, MODES, ROTATIONS
 from workbench.figures import style
 
 ABSCISSAE = {
@@ -23,6 +23,7 @@ def motions_figure(
     wave_direction: float,
     length: float,
     abscissa: str = "wave frequency",
+    gap_frequency: float | None = None,
 ) -> Figure:
     """Heave, roll and pitch: amplitudes above, phase leads below.
 
@@ -31,6 +32,8 @@ def motions_figure(
     motion_set : from `workbench.motions.motions`; lead : from `workbench.motions.lead_over_wave` [rad].
     wave_direction : the nearest computed one is drawn [rad].
     length : of the ship [m]; abscissa : one of `ABSCISSAE`.
+    gap_frequency : at which the water between the hulls of a ship at rest resonates [rad/s];
+        marked in the picture of heave where it lies within the axis.
     """
     one, phases = _at(motion_set, wave_direction), _at(lead, wave_direction)
     along, order = _abscissa(one, abscissa, length)
@@ -49,12 +52,18 @@ def motions_figure(
             axes.set_yticks([-180, -90, 0, 90, 180])
         rows[1, 0].set_ylabel("lead over wave [deg]")
         figure.supxlabel(ABSCISSAE[abscissa], fontsize=11, y=0.005)
-        _finish(rows, abscissa, length)
+        _finish(rows, abscissa)
+        _mark_gap(rows[0, 0], gap_frequency, abscissa, length)
     return figure
 
 
 def six_motions_figure(
-    motion_set: xr.Dataset, *, wave_direction: float, length: float, abscissa: str = "wave frequency"
+    motion_set: xr.Dataset,
+    *,
+    wave_direction: float,
+    length: float,
+    abscissa: str = "wave frequency",
+    gap_frequency: float | None = None,
 ) -> Figure:
     """Amplitudes of all six motions; parameters as for `motions_figure`."""
     one = _at(motion_set, wave_direction)
@@ -66,7 +75,8 @@ def six_motions_figure(
         for index, mode in enumerate(MODES):
             _draw_amplitude(rows.flat[index], along, one, mode, order, index % 3)
         figure.supxlabel(ABSCISSAE[abscissa], fontsize=11, y=0.005)
-        _finish(rows, abscissa, length)
+        _finish(rows, abscissa)
+        _mark_gap(rows.flat[MODES.index("heave")], gap_frequency, abscissa, length)
     return figure
 
 
@@ -101,7 +111,25 @@ def _draw_amplitude(axes, along, one: xr.Dataset, mode: str, order, line: int) -
         axes.text(0.5, 0.5, "none", transform=axes.transAxes, ha="center", color=style.SOFT)
 
 
-def _finish(rows, abscissa: str, length: float) -> None:
+def _mark_gap(axes, gap_frequency: float | None, abscissa: str, length: float) -> None:
+    """Draw a thin line where the water between the hulls resonates, if that is within the axis."""
+    if gap_frequency is None:
+        return
+    over_length = 2 * np.pi * GRAVITY / gap_frequency**2 / length
+    place = over_length if abscissa == "wavelength ratio" else gap_frequency
+    low, high = axes.get_xlim()
+    if not low < place < high:
+        return
+    axes.axvline(place, color=style.WARM, linewidth=0.9, linestyle=(0, (4, 3)))
+    near_the_end = place > low + 0.93 * (high - low)
+    axes.annotate(
+        "gap resonance, estimated", (place, 0.97), xycoords=("data", "axes fraction"), rotation=90, va="top",
+        xytext=(-2 if near_the_end else 2, 0), textcoords="offset points",
+        ha="right" if near_the_end else "left", color=style.WARM, fontsize=10,
+    )  # fmt: skip
+
+
+def _finish(rows, abscissa: str) -> None:
     """Set limits and grid."""
     style.grid_behind(rows)
     for axes in rows.ravel():

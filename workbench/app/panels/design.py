@@ -1,6 +1,8 @@
 """Design: lines, arrangement, hydrostatics, and where each figure comes from."""
 
+from collections.abc import Mapping
 from html import escape
+from typing import Any
 
 import numpy as np
 
@@ -78,6 +80,7 @@ class DesignPanel(Panel):
             value = float(np.ravel(ship.hydrostatics[name].values)[0])
             rows.append((f"{name.replace('_', ' ')}, {axis}", f"{value:.4g} m"))
         rows.append(("mass", _with_unit(design.masses.mass, "kg")))
+        rows += gap_rows(ship.hydrodynamics.attrs)
         self.afloat.value = table("Hydrostatics as it floats", ("quantity", "value"), rows)
         standings = {"published": "published", "derived": "derived", "ours": "our own choice"}
         body = "".join(
@@ -96,6 +99,19 @@ class DesignPanel(Panel):
             if body
             else "<h2>Sources</h2><p class='wb-note'>This design names no sources.</p>"
         )
+
+
+def gap_rows(attributes: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Rows on the resonance of the water between two hulls, none for a ship without that."""
+    modes = (("gap_piston_frequency", "piston"), ("gap_sloshing_frequency", "sloshing"))
+    return [
+        (
+            f"water between the hulls resonates ({mode}, estimate)",
+            f"{attributes[name]:.3g} rad/s, waves of {2 * np.pi / attributes[name]:.3g} s",
+        )
+        for name, mode in modes
+        if name in attributes
+    ]
 
 
 def _with_unit(value: float, unit: str) -> str:

@@ -46,7 +46,7 @@ class MotionsPanel(Panel):
         ship, chosen = found.ship, self.rao.chosen
         others = {
             "wave_direction": found.case.condition.wave_direction, "length": ship.design.hull.length,
-            "abscissa": chosen["over"],
+            "abscissa": chosen["over"], "gap_frequency": gap_frequency(ship),
         }  # fmt: skip
         if chosen["what"] == "six":
             return figures.six_motions_figure(ship.motions, **others)
@@ -96,6 +96,15 @@ class MotionsPanel(Panel):
     def reason(self) -> str:
         """Say why there is nothing to show."""
         return "" if self.model.findings else "The motions are being computed."
+
+
+def gap_frequency(ship) -> float | None:
+    """Estimated resonance of the water between two hulls at rest, where it is in the motions [rad/s]."""
+    hull = ship.design.hull
+    together = hull.count == 2 and ship.settings.interacts(hull.count, ship.speed, hull.length)
+    if ship.speed > 0 or not together:
+        return None
+    return ship.hydrodynamics.attrs.get("gap_piston_frequency")
 
 
 def _words(value: float) -> str:
