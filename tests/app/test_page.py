@@ -255,6 +255,8 @@ def test_notebooks_ask_for_no_news_and_no_updates():
     arguments = server.lab_arguments(8000, False)
     assert "--LabApp.news_url=None" in arguments
     assert "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate" in arguments
+    assert server.lab_environment()["JUPYTER_CONFIG_PATH"].startswith(str(server.LAB_CONFIG_FOLDER))
+    assert str(server.LAB_CONFIG_FOLDER) not in server.environment().get("JUPYTER_CONFIG_PATH", "")
     root = next(one for one in arguments if "root_dir" in one).split("=")[1]
     assert (Path(root) / server.NOTEBOOK).exists()
 

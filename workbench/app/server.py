@@ -12,6 +12,7 @@ from workbench.errors import InputError, checked_number
 
 HERE = Path(__file__).parent
 TEMPLATE_FOLDER = HERE / "voila_template"
+LAB_CONFIG_FOLDER = HERE / "lab_config"
 NOTEBOOK = "workbench.ipynb"
 HERE_ALONE = "127.0.0.1"
 POOL_SIZE = 2
@@ -86,13 +87,23 @@ def voila_arguments(
 
 def environment() -> dict[str, str]:
     """Environment in which Jupyter finds the template of the page, also from a clone."""
-    known = [part for part in os.environ.get("JUPYTER_PATH", "").split(os.pathsep) if part]
     return {
         **os.environ,
-        "JUPYTER_PATH": os.pathsep.join([str(TEMPLATE_FOLDER), *known]),
+        "JUPYTER_PATH": _with_folder("JUPYTER_PATH", TEMPLATE_FOLDER),
         "OMP_NUM_THREADS": os.environ.get("OMP_NUM_THREADS", "1"),
         "PYDEVD_DISABLE_FILE_VALIDATION": "1",
     }
+
+
+def lab_environment() -> dict[str, str]:
+    """Environment in which JupyterLab, for this process alone, neither asks about news nor looks for them."""
+    return {**environment(), "JUPYTER_CONFIG_PATH": _with_folder("JUPYTER_CONFIG_PATH", LAB_CONFIG_FOLDER)}
+
+
+def _with_folder(variable: str, folder: Path) -> str:
+    """Return a list of folders of the environment with one before them."""
+    known = [part for part in os.environ.get(variable, "").split(os.pathsep) if part]
+    return os.pathsep.join([str(folder), *known])
 
 
 def checked_address(address: str) -> str:
@@ -113,7 +124,7 @@ def run_app(port: int = 8866, open_browser: bool = True, address: str = HERE_ALO
 
 
 def lab_arguments(port: int, open_browser: bool, folder: Path | None = None) -> list[str]:
-    """Arguments of JupyterLab for a folder of notebooks: no news, no question about them, no update check."""
+    """Arguments of JupyterLab for a folder of notebooks: no news, no look for updates."""
     settings: dict[str, object] = {
         "ServerApp.port": port,
         "ServerApp.port_retries": 0,
@@ -128,13 +139,15 @@ def lab_arguments(port: int, open_browser: bool, folder: Path | None = None) -> 
 
 def run_lab(port: int = 8888, open_browser: bool = True) -> None:
     """Serve the notebooks by JupyterLab until interrupted."""
-    _run(["-m", "jupyterlab", *lab_arguments(free_port(port), open_browser)])
+    _run(["-m", "jupyterlab", *lab_arguments(free_port(port), open_browser)], lab_environment())
 
 
-def _run(arguments: list[str]) -> None:
+def _run(arguments: list[str], variables: dict[str, str] | None = None) -> None:
     """Run a server in the foreground."""
     try:
-        code = subprocess.run([sys.executable, *arguments], env=environment(), check=False).returncode
+        code = subprocess.run(
+            [sys.executable, *arguments], env=variables or environment(), check=False
+        ).returncode
     except KeyboardInterrupt:
         return
     if code not in (0, -2, 130):
