@@ -7,7 +7,11 @@ from workbench.conventions import GRAVITY, MODES, wavenumber
 from workbench.design import Hull
 from workbench.geometry.faceted import Panels
 from workbench.geometry.panels import hull_panels, lid_panels, panels, tunnel_lid
-from workbench.hydrodynamics.forward_speed import RadiatingBody, at_encounter_frequency, hydrodynamics
+from workbench.hydrodynamics.forward_speed import (
+    RadiatingBody,
+    at_encounter_frequency,
+    hydrodynamics,
+)
 from workbench.hydrodynamics.radiation import RadiationProblem, frequency_solution, mode_normals, radiation
 from workbench.shapes import Wigley
 
@@ -221,3 +225,66 @@ def test_frequencies_between_and_beyond_the_nodes():
     wanted = np.array([0.1, 0.5, 1.25, 2.0, 4.0])
     found = at_encounter_frequency(nodes, values, wanted)[:, 0].real
     np.testing.assert_allclose(found, [1.0, 1.0, 2.5, 4.0, 8.5])
+
+
+def test_speed_terms_of_diffraction_are_those_of_strip_theory(solved):
+    """F5 += U/(i w) F3, F6 -= U/(i w) F2 of the diffraction force (STF 1970; Grande 2002, A1.98-A1.99, conjugated)."""
+    speed, omega = 5.0, np.array([0.9])
+    moving, resting = (
+        at(solved, omega, [np.pi / 2], value).diffraction_force.values[0, 0] for value in (speed, 0.0)
+    )
+    ratio = speed / (1j * 0.9)
+    assert moving[4] - resting[4] == pytest.approx(ratio * resting[2], rel=1e-9)
+    assert moving[5] - resting[5] == pytest.approx(-ratio * resting[1], rel=1e-9)
+    np.testing.assert_allclose(moving[:4], resting[:4])
+
+
+def test_dry_transom_adds_the_end_terms_of_strip_theory(monkeypatch):
+    """B33 += U a33, B35 += -U x a33 - U**2/w**2 b33, F3 -= U/(i w) d3 at the transom (STF 1970; Grande 2002, 2.15)."""
+    from workbench.hydrodynamics import forward_speed
+    from workbench.shapes import RoundBilge
+
+    hull = Hull(
+        shape=RoundBilge(
+            length=40.0,
+            beam=4.0,
+            draught=2.0,
+            depth=4.0,
+            block_coefficient=0.48,
+            lcb=-0.05,
+            transom_ratio=0.5,
+            deadrise_angle=np.radians(10),
+            entrance_angle=np.radians(12),
+        )
+    )
+    omega, directions, speed = np.array([1.1]), [np.pi / 2], 9.0
+    solved = radiation(RadiationProblem(panels=panels(hull, 400), lid=lid_panels(hull)), omega)
+    body = RadiatingBody(solved)
+    assert forward_speed.transom_is_dry(body, 12.0)
+    assert not forward_speed.transom_is_dry(body, 2.0)
+    found = {}
+    for name, limit in (("wet", 1e9), ("dry", 0.0)):
+        monkeypatch.setattr(forward_speed, "VENTILATION_FROUDE_NUMBER", limit)
+        found[name] = hydrodynamics([body], omega, directions, speed, 1025.0)
+    gained = (found["dry"].added_mass - found["wet"].added_mass).values[0, 0]
+    damped = (found["dry"].radiation_damping - found["wet"].radiation_damping).values[0, 0]
+    x, n = solved.panel_centre.values, solved.panel_normal.values
+    last = (x[:, 0] < -19.3) & (solved.panel_is_transom.values == 0)
+    girth = solved.panel_area.values * np.hypot(n[:, 1], n[:, 2]) / (2 * (x[last, 0].mean() + 20.0))
+    modes = mode_normals(x, n)
+    potential = solved.radiation_potential.values[0]
+    section = -2 * 1025.0 * np.einsum("jp,kp,p->jk", modes[:, last], potential[:, last], girth[last])
+    a, b, w, u = section.real, 1.1 * section.imag, 1.1, speed
+    assert girth[last].sum() == pytest.approx(2.16, abs=0.1)  # half the girth of the transom's edge
+    assert damped[2, 2] == pytest.approx(u * a[2, 2], rel=1e-3)
+    assert gained[2, 2] == pytest.approx(-u / w**2 * b[2, 2], rel=1e-3)
+    assert damped[4, 2] == pytest.approx(u * a[4, 2], rel=1e-3)
+    assert damped[2, 4] == pytest.approx(u * a[2, 4] - u**2 / w**2 * b[2, 2], rel=1e-3)
+    assert gained[2, 4] == pytest.approx(-u / w**2 * b[2, 4] - u**2 / w**2 * a[2, 2], rel=1e-3)
+    assert gained[4, 2] == pytest.approx(-u / w**2 * b[4, 2], rel=1e-3)
+    # Half the ideal added mass of a wide flat section, give or take: a33 of a last section of this breadth.
+    breadth = 2 * np.abs(x[last, 1]).max()
+    assert 0.3 < a[2, 2] / (1025.0 * np.pi * breadth**2 / 8) < 2.0
+    # Long beam waves pass the section as a heave of minus the particle velocity: d3 = -(w**2 a + i w b)/... of heave.
+    force = (found["dry"].diffraction_force - found["wet"].diffraction_force).values[0, 0]
+    assert force[2] == pytest.approx(u / (1j * w) * (w**2 * a[2, 2] + 1j * w * b[2, 2]), rel=0.35)

@@ -15,6 +15,10 @@ exp(+i omega_e t))::
     F_5k += U/(i omega_e) F0_3k        F_j5 -= U/(i omega_e) F0_j3     (pitch)
     F_6k -= U/(i omega_e) F0_2k        F_j6 += U/(i omega_e) F0_j2     (yaw)
     F_jk -= U/(i omega_e) t_jk         t_jk = -rho omega_e^2 line integral of phi_k n_j at the transom
+    D_5 += U/(i omega_e) D_3,  D_6 -= U/(i omega_e) D_2,  D_j -= U/(i omega_e) d_j
+
+with D_j the diffraction force and d_j its density per length at the transom, both by
+Haskind's relation (d_j in the sense of strips).
 
 .. [STF1970] N. Salvesen, E. O. Tuck and O. Faltinsen, "Ship motions and sea loads",
     Trans. SNAME 78, 250-287, 1970.
@@ -114,11 +118,12 @@ def body_coefficients(
         symmetric = np.isin(range(6), SYMMETRIC_MODES)
         same_parity = (symmetric[:, None] == symmetric[None, :]).astype(float)
     at_rest = np.einsum("fkp,jp->fjk", potential, modes * weights, optimize=True) * same_parity
-    line = np.zeros_like(at_rest)
-    if transom_is_dry(body, speed):
-        last, girth = _last_strip(radiation)
-        line = np.einsum("fkp,jp->fjk", potential[:, :, last], modes[:, last] * girth, optimize=True)
-        line *= same_parity * (2.0 if mirrored else 1.0)
+    girths = _transom_girths(radiation) * (2.0 if mirrored else 1.0) * transom_is_dry(body, speed)
+    last = np.flatnonzero(girths)
+    line = (
+        np.einsum("fkp,jp->fjk", potential[:, :, last], (modes * girths)[:, last], optimize=True)
+        * same_parity
+    )
     scale = -density * distinct[:, None, None] ** 2
     ratio = speed / (1j * distinct)
     force = _with_speed(scale * at_rest, scale * line, ratio)[back].reshape(*shape, 6, 6)
@@ -130,9 +135,10 @@ def body_coefficients(
     for i, frequency in enumerate(omega):
         wave, velocity = _waves_by_parity(centres, normals, frequency, wave_directions, mirrored)
         froude_krylov[i] = -1j * density * frequency * np.einsum("jp,jbp->bj", weighted_modes, wave)
-        own = potential[back[i]] * weights
-        diffracted = 1j * density * encounter[i, :, None] * np.einsum("bjp,jbp->bj", own, velocity)
-        diffraction[i] = _force_with_speed(diffracted, speed / (1j * encounter[i]))
+        own, met = potential[back[i]], 1j * density * encounter[i, :, None]
+        diffracted = met * np.einsum("bjp,jbp->bj", own * weights, velocity)
+        end = met * np.einsum("bjp,jbp->bj", own[..., last] * girths[last], velocity[..., last])
+        diffraction[i] = _force_with_speed(diffracted, end, speed / (1j * encounter[i]))
     return {
         "encounter": encounter,
         "radiation": force,
@@ -173,23 +179,23 @@ def _with_speed(at_rest: np.ndarray, line: np.ndarray, ratio: np.ndarray) -> np.
     return full - ratio[:, :, None] * end
 
 
-def _force_with_speed(at_rest: np.ndarray, ratio: np.ndarray) -> np.ndarray:
-    """Add the speed terms to diffraction forces (wave_direction, 6)."""
-    force = at_rest.copy()
+def _force_with_speed(at_rest: np.ndarray, end: np.ndarray, ratio: np.ndarray) -> np.ndarray:
+    """Add the speed terms to diffraction forces (wave_direction, 6); ``end`` is their density at a dry transom."""
+    force = at_rest - ratio[:, None] * end
     force[:, 4] += ratio * at_rest[:, 2]
     force[:, 5] -= ratio * at_rest[:, 1]
     return force
 
 
-def _last_strip(radiation: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
-    """Return the wetted panels next to the transom, and the girth each of them covers [m]."""
+def _transom_girths(radiation: xr.Dataset) -> np.ndarray:
+    """Girth [m] that each wetted panel next to the transom covers of its edge; 0 for all other panels."""
     x = radiation.panel_centre.sel(axis="x").values
     hull = radiation.panel_is_transom.values == 0
     nearest = x[hull].min()
     half_length = nearest - radiation.attrs["transom_end"]
-    last = np.flatnonzero(hull & (x < nearest + 0.5 * half_length))
-    across = np.hypot(*radiation.panel_normal.values[last, 1:].T)
-    return last, radiation.panel_area.values[last] * across / (2 * half_length)
+    last = hull & (x < nearest + 0.5 * half_length)
+    across = np.hypot(*radiation.panel_normal.values[:, 1:].T)
+    return np.where(last, radiation.panel_area.values * across / (2 * half_length), 0.0)
 
 
 def hydrodynamics(

@@ -66,8 +66,8 @@ def validity_warnings(
     if froude > LOW_FROUDE_NUMBER:
         sentences.append(
             f"Fn {froude:.2f} is above {LOW_FROUDE_NUMBER}: the panel method with a zero-speed Green function is a "
-            "rough guide there. On the measured Delft 372 catamaran at Fn 0.30 its heave peak is 25 % low with each "
-            "hull alone and 27 % high with both together."
+            "rough guide there. On the measured Delft 372 catamaran at Fn 0.30 its heave peak is 24 % low with each "
+            "hull alone and 31 % high with both together."
         )
     if count > 1 and settings.interacts(count, speed, length) and froude >= LOW_FROUDE_NUMBER:
         sentences.append(
