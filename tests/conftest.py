@@ -2,6 +2,7 @@
 
 import os
 import tempfile
+import warnings
 
 os.environ.setdefault("OMP_NUM_THREADS", "2")
 os.environ.setdefault("WORKBENCH_CACHE_DIR", tempfile.mkdtemp(prefix="workbench-tests-"))
@@ -35,6 +36,16 @@ def wigley_twin(spacing: float = 10.0, **deck) -> Design:
 @pytest.fixture(scope="session")
 def twin() -> Design:
     return wigley_twin()
+
+
+@pytest.fixture(scope="session")
+def playwright_driver():
+    """Playwright, started once: it runs an event loop of its own, and a process can hold one."""
+    sync_api = pytest.importorskip("playwright.sync_api")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ResourceWarning)
+        with sync_api.sync_playwright() as driver:
+            yield driver
 
 
 @pytest.fixture

@@ -1,8 +1,6 @@
 """A headless Chromium with software WebGL, and scenes to draw."""
 
-import contextlib
 import shutil
-import warnings
 
 import pytest
 from scenes import demo_scene
@@ -30,27 +28,13 @@ def chromium_path() -> str | None:
     return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
-@contextlib.contextmanager
-def launch_chromium(*more_flags: str):
-    """Yield a Playwright browser on the system's Chromium."""
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium_path(), args=[*FLAGS, *more_flags])
-        try:
-            yield browser
-        finally:
-            browser.close()
-
-
 @pytest.fixture(scope="session")
-def chromium():
+def chromium(playwright_driver):
     if chromium_path() is None:
         pytest.skip("needs Chromium")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ResourceWarning)
-        with launch_chromium() as browser:
-            yield browser
+    browser = playwright_driver.chromium.launch(executable_path=chromium_path(), args=list(FLAGS))
+    yield browser
+    browser.close()
 
 
 @pytest.fixture(scope="session")
