@@ -39,7 +39,7 @@ def motions_figure(
     along, order = _abscissa(one, abscissa, length)
     with style.drawing():
         figure = style.blank_figure(_SIZE)
-        figure.subplots_adjust(left=0.08, right=0.985, top=0.94, bottom=0.115, wspace=0.2, hspace=0.16)
+        figure.subplots_adjust(left=0.08, right=0.985, top=0.94, bottom=0.115, wspace=0.27, hspace=0.16)
         rows = figure.subplots(2, 3, sharex=True, gridspec_kw={"height_ratios": (3, 2)})
         for column, mode in enumerate(("heave", "roll", "pitch")):
             _draw_amplitude(rows[0, column], along, one, mode, order, column)
