@@ -14,6 +14,7 @@ from workbench.app.panels.motions import gap_frequency
 from workbench.errors import InputError
 from workbench.hulls import library
 from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.scene import stills
 
 
 @pytest.fixture(scope="module")
@@ -203,6 +204,44 @@ def test_saved_files(page, monkeypatch):
     exact = page.model.findings.slam.statistics.slams_per_hour.values
     np.testing.assert_allclose(rate, exact.ravel(), rtol=1e-6)
     assert b"<html" in sent["austal-63-animation.html"]
+
+
+def test_film_is_painted_beside_the_page_and_an_obstacle_is_said(page, monkeypatch):
+    panel = open_tab(page, "Data")
+    page._want_scene()
+    assert page.desk.settle(60)
+    sent, asked = {}, {}
+    monkeypatch.setattr(panel, "send_file", lambda name, mime, content: sent.update({name: content}))
+
+    def film(scene, path, **others):
+        asked.update(others)
+        path.write_bytes(b"film")
+        return path
+
+    def said(words):
+        end = time.monotonic() + 20
+        while words not in panel.answer.value and time.monotonic() < end:
+            time.sleep(0.02)
+        return words in panel.answer.value
+
+    monkeypatch.setattr(stills, "film", film)
+    monkeypatch.setattr(stills, "rendering_obstacle", lambda: "Films need the EGL library.")
+    assert panel._film() == "Films need the EGL library."
+    monkeypatch.setattr(stills, "rendering_obstacle", lambda: "")
+    assert "being painted" in panel._film()
+    assert said("austal-63-film.mp4 was saved")
+    assert sent == {"austal-63-film.mp4": b"film"}
+    scene = page.model.scene
+    hardest = float(scene.time[int(np.argmax(scene.pressure.max(("x", "y")).values))])
+    assert asked["start"] < hardest < asked["end"]
+    assert asked["end"] - asked["start"] == pytest.approx(16.0)
+
+    def broken(scene, path, **others):
+        raise RuntimeError("the painter ended with code 139")
+
+    monkeypatch.setattr(stills, "film", broken)
+    panel._film()
+    assert said("could not be made: the painter ended with code 139")
 
 
 def test_state_is_what_the_browser_keeps(page):

@@ -13,6 +13,12 @@ from workbench.app.case import Case
 from workbench.app.model import Findings
 from workbench.cache import with_split_complex
 
+FILM_SECONDS, FILM_RATE = 16.0, 15
+"""Length [s] and pictures per second of a film."""
+
+HARDEST_AT = 0.4
+"""Where in an animation its hardest slam comes, as a fraction of its length."""
+
 
 def heading_lines(case: Case) -> list[str]:
     """Lines on version and inputs for the head of a file."""
@@ -82,6 +88,23 @@ def inputs_file(state: dict) -> bytes:
     return json.dumps(
         {"workbench": __version__, **state}, indent=1, ensure_ascii=False, allow_nan=False
     ).encode()
+
+
+def film_file(scene: xr.Dataset) -> bytes:
+    """Bytes of an MP4 of the scene about its hardest slam, `FILM_SECONDS` long at most; takes half a minute."""
+    from workbench.scene import stills
+
+    first, last = float(scene.time[0]), float(scene.time[-1])
+    start = min(max(first, first + HARDEST_AT * (last - first) - FILM_SECONDS / 2), last)
+    with tempfile.TemporaryDirectory() as folder:
+        path = stills.film(
+            scene,
+            Path(folder) / "film.mp4",
+            start=start,
+            end=min(start + FILM_SECONDS, last),
+            frames_per_second=FILM_RATE,
+        )
+        return path.read_bytes()
 
 
 def motion_table(found: Findings) -> xr.Dataset:

@@ -1,10 +1,12 @@
 """Data: everything as files."""
 
 from collections.abc import Callable
+from html import escape
 
 import ipywidgets as widgets
 
 from workbench.app import exports
+from workbench.app.job import Job
 from workbench.app.model import Model
 from workbench.app.panels.panel import Panel, card
 from workbench.files import design_to_toml
@@ -24,6 +26,7 @@ class FilesPanel(Panel):
     ) -> None:
         super().__init__(model, post)
         self.send_file, self.wants_scene = send_file, wants_scene
+        self.film_job = Job("film")
 
     def build(self):
         """Make the buttons, by what they are for."""
@@ -36,8 +39,9 @@ class FilesPanel(Panel):
             ("Slamming", "Statistics at every point of the deck; each slam that was counted.",
              (("Slamming (CSV)", self._slamming_csv), ("Slamming (netCDF)", self._slamming_netcdf),
               ("Counted slams (CSV)", self._events_csv))),
-            ("Animation", "One file that plays in any browser, without this program and without a network.",
-             (("Animation (HTML)", self._animation),)),
+            ("Animation", "One file that plays in any browser, without this program and without a network; "
+             "or a film of the hardest slam, for slides.",
+             (("Animation (HTML)", self._animation), ("Film (MP4)", self._film))),
         )  # fmt: skip
         boxes = []
         for heading, words, buttons in groups:
@@ -50,6 +54,7 @@ class FilesPanel(Panel):
         holder.add_class("wb-grid")
         self.answer = card()
         self.answer.add_class("wb-answer")
+        self.film_job.observe(self._film_failed, names=["state"])
         figures = card("<h2>Figures</h2><p class='wb-note'>Each figure has PNG and SVG beside its title.</p>")
         holder.children = (*holder.children, figures)
         return [holder, self.answer]
@@ -60,9 +65,9 @@ class FilesPanel(Panel):
 
         def clicked(_):
             try:
-                self.answer.value = f"<p role='status'>{action()}</p>"
+                self._say(action())
             except Exception as error:
-                self.answer.value = f"<p role='status'>{label} could not be made: {type(error).__name__}.</p>"
+                self._say(f"{label} could not be made: {type(error).__name__}.")
 
         button.on_click(clicked)
         return button
@@ -146,13 +151,42 @@ class FilesPanel(Panel):
             return "The slams are being counted for this; press again in some seconds."
         return self._send(f"{self._stem}-slams.csv", CSV, exports.csv_file(counted.events, found.case))
 
-    def _animation(self) -> str:
+    def _with_scene(self):
+        """Return the findings if there is an animation that fits them, or a sentence why there is none."""
         found, reason = self._with_deck()
+        if found and (self.model.scene is None or self.model.scene_key != found.case.counting_key):
+            self.wants_scene()
+            return None, "The animation is being built for this; press again in some seconds."
+        return found, reason
+
+    def _film(self) -> str:
+        from workbench.scene.stills import rendering_obstacle
+
+        obstacle = rendering_obstacle()
+        if obstacle:
+            return obstacle
+        found, reason = self._with_scene()
         if not found:
             return reason
-        if self.model.scene is None or self.model.scene_key != found.case.counting_key:
-            self.wants_scene()
-            return "The animation is being built for this; press again in some seconds."
+        scene, name = self.model.scene, f"{self._stem}-film.mp4"
+
+        def done(content: bytes) -> None:
+            self._say(self._send(name, "video/mp4", content))
+
+        self.film_job.start(found.case.counting_key, lambda _: exports.film_file(scene), done)
+        return "The film is being painted, which takes about half a minute; it is saved when it is ready."
+
+    def _film_failed(self, change) -> None:
+        if change.new == "failed":
+            self._say(f"The film could not be made: {self.film_job.error}")
+
+    def _say(self, sentence: str) -> None:
+        self.answer.value = f"<p role='status'>{escape(sentence)}</p>"
+
+    def _animation(self) -> str:
+        found, reason = self._with_scene()
+        if not found:
+            return reason
         from workbench.scene.standalone import standalone_html
 
         return self._send(f"{self._stem}-animation.html", HTML, standalone_html(self.model.scene).encode())
