@@ -110,6 +110,18 @@ def test_pressure_laws_take_the_velocity_they_need(ship, twin, relative):
         assert any("pressure" in line for line in quantities.warnings_of(slam.statistics))
 
 
+def test_own_waves_of_the_ship_lower_the_deck(ship, twin, relative):
+    plain = pipeline.slamming(ship, relative, twin.wet_deck, condition())
+    risen = pipeline.slamming(ship, relative, twin.wet_deck, condition(), steady_elevation=0.2)
+    lower = replace(twin.wet_deck, clearance=twin.wet_deck.clearance - 0.2)
+    lowered = pipeline.slamming(ship, relative, lower, condition())
+    np.testing.assert_allclose(risen.statistics.slams_per_hour, lowered.statistics.slams_per_hour)
+    assert float(risen.statistics.slams_per_hour.max()) > float(plain.statistics.slams_per_hour.max())
+    assert risen.least_clearance == pytest.approx(plain.least_clearance + 0.2)
+    with pytest.raises(InputError, match="steady_elevation"):
+        pipeline.slamming(ship, relative, twin.wet_deck, condition(), steady_elevation=5.0)
+
+
 def test_animation_holds_what_was_counted(ship, twin, relative):
     slam = pipeline.slamming(ship, relative, twin.wet_deck, condition())
     realisation = Realisation(seed=4)

@@ -167,6 +167,7 @@ def slamming(
     law: PressureLaw | None = None,
     hours: float = 1.0,
     criterion_per_hour: float = criteria.CRITERION_SLAMS_PER_HOUR,
+    steady_elevation: float | xr.DataArray = 0.0,
 ) -> Slamming:
     """Closed-form slamming statistics of a deck in a sea.
 
@@ -177,6 +178,8 @@ def slamming(
     threshold : least entry velocity [m/s], or "ochi".
     law : pressure law; hours : for the most probable largest pressure [h].
     criterion_per_hour : slams per hour that are allowed.
+    steady_elevation : rise of the water under the deck by the ship's own waves at speed,
+        one value or (x, y) [m]; from model tests or a wave-resistance program.
     """
     checked_number("hours", hours, "h", above=0, at_most=1e5)
     checked_number("criterion", criterion_per_hour, "slams per hour", above=0, at_most=3600)
@@ -188,6 +191,12 @@ def slamming(
     law = law or PressureLaw()
     least_velocity = threshold_of(threshold, ship.design)
     deck = wet_deck_grid(wet_deck, relative.sizes["x"], relative.sizes["y"])
+    deck["height"] = (deck.height - steady_elevation).assign_attrs(deck.height.attrs)
+    if not bool((deck.height > 0).all()):
+        raise InputError(
+            f"steady_elevation must leave the deck above water everywhere, got a gap of "
+            f"{float(deck.height.min()):.3g} m; raise the clearance or check the elevation."
+        )
     energy = wave_energy(condition, relative.omega, relative.wave_direction)
     moments = statistics.response_moments(relative, energy)
     found = statistics.slamming_statistics(moments, deck.height, least_velocity, law.velocity)
