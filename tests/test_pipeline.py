@@ -226,3 +226,18 @@ def test_worker_processes_give_the_same(twin):
         patch.setitem(os.environ, "WORKBENCH_CACHE_DIR", folder)
         shared = pipeline.response(twin, 0.0, [np.pi], omega, replace(COARSE, panels=310), workers=2)
     np.testing.assert_allclose(shared.motions.motion_rao, alone.motions.motion_rao)
+
+
+def test_forward_speed_option_of_the_solver_is_offered_and_told_of(twin):
+    """At low speed the two treatments of speed are near each other; the option takes the whole ship."""
+    omega, speed = [0.7], 1.0
+    settings = replace(COARSE, interaction="on")
+    ours = pipeline.response(twin, speed, [np.pi], omega, settings)
+    option = pipeline.response(twin, speed, [np.pi], omega, replace(settings, speed_treatment="forward-speed"))
+    for mode in ("heave", "pitch"):
+        first, second = (abs(complex(found.motions.motion_rao.sel(dof=mode)[0, 0])) for found in (ours, option))
+        assert second == pytest.approx(first, rel=0.1)
+        assert second != first
+    notes = quantities.warnings_of(option.motions)
+    assert any("forward-speed option" in line for line in notes)
+    assert not any("solved alone" in line for line in notes)

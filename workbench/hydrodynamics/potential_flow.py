@@ -152,7 +152,7 @@ def forward_speed_coefficients(
     Notes
     -----
     Valid for small speeds of slender hulls; for twin hulls at Fn 0.3 to 0.75 its
-    heave peak is 1.65 to 2.3 times the measured one (Delft 372). Costs about ten
+    heave peak is 1.68 to 2.2 times the measured one (Delft 372). Costs about ten
     times `radiation` per frequency: the gradient matrix is rebuilt for each problem.
     """
     refuse_overtaken_waves(np.asarray(omega), wave_directions, speed)
