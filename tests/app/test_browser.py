@@ -101,6 +101,17 @@ def test_every_control_has_a_name(new_page):
     assert new_page.page.locator("[role=progressbar][aria-valuenow]").count() == 1
 
 
+def test_method_is_closed_at_first_and_says_what_automatic_means(new_page):
+    method = new_page.page.locator("details[data-key=method]")
+    assert method.get_attribute("open") is None
+    words = {
+        name: method.locator(f"#wb-{name}-note").text_content() for name in ("interaction", "wave_field")
+    }
+    assert "Each hull alone at this speed" in words["interaction"]
+    assert "Incident wave only" in words["wave_field"]
+    assert method.locator("#wb-interaction option").count() == 3
+
+
 def test_animation_plays(new_page):
     new_page.open_tab("3-D")
     page = new_page.page

@@ -234,7 +234,7 @@ def test_film_is_painted_beside_the_page_and_an_obstacle_is_said(page, monkeypat
     scene = page.model.scene
     hardest = float(scene.time[int(np.argmax(scene.pressure.max(("x", "y")).values))])
     assert asked["start"] < hardest < asked["end"]
-    assert asked["end"] - asked["start"] == pytest.approx(16.0)
+    assert asked["end"] - asked["start"] == pytest.approx(12.0)
 
     def broken(scene, path, **others):
         raise RuntimeError("the painter ended with code 139")

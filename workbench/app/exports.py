@@ -13,7 +13,7 @@ from workbench.app.case import Case
 from workbench.app.model import Findings
 from workbench.cache import with_split_complex
 
-FILM_SECONDS, FILM_RATE = 16.0, 15
+FILM_SECONDS, FILM_RATE = 12.0, 15
 """Length [s] and pictures per second of a film."""
 
 HARDEST_AT = 0.4
@@ -91,7 +91,7 @@ def inputs_file(state: dict) -> bytes:
 
 
 def film_file(scene: xr.Dataset) -> bytes:
-    """Bytes of an MP4 of the scene about its hardest slam, `FILM_SECONDS` long at most; takes half a minute."""
+    """Bytes of an MP4 of the scene about its hardest slam, `FILM_SECONDS` long at most; takes about a minute."""
     from workbench.scene import stills
 
     first, last = float(scene.time[0]), float(scene.time[-1])

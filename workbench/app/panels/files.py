@@ -174,7 +174,7 @@ class FilesPanel(Panel):
             self._say(self._send(name, "video/mp4", content))
 
         self.film_job.start(found.case.counting_key, lambda _: exports.film_file(scene), done)
-        return "The film is being painted, which takes about half a minute; it is saved when it is ready."
+        return "The film is being painted, which takes about a minute; it is saved when it is ready."
 
     def _film_failed(self, change) -> None:
         if change.new == "failed":
