@@ -18,7 +18,7 @@ def method_inputs(design: Design) -> list[Input]:
     """Return the controls of the method; those between hulls only where there are several."""
     together = [
         Input(
-            name="interaction", label="Hulls", group="method", kind="choice",
+            name="interaction", label="Hull interaction", group="method", kind="choice",
             choices=(
                 ("auto", "automatic, by the speed"), ("on", "solved together"), ("off", "each hull alone"),
             ),
