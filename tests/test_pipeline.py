@@ -241,3 +241,10 @@ def test_forward_speed_option_of_the_solver_is_offered_and_told_of(twin):
     notes = quantities.warnings_of(option.motions)
     assert any("forward-speed option" in line for line in notes)
     assert not any("solved alone" in line for line in notes)
+
+
+def test_limits_of_the_pressure_are_told_apart(ship, twin, relative):
+    slam = pipeline.slamming(ship, relative, twin.wet_deck, condition())
+    of_pressure = slam.statistics.attrs["pressure_warnings"].split("\n")
+    assert any("Chuang" in line for line in of_pressure)
+    assert set(of_pressure) < set(quantities.warnings_of(slam.statistics))

@@ -205,13 +205,10 @@ def slamming(
         moments, found, deck, law, ship.design.density, hours
     )
     found["required_height"] = criteria.required_height(moments, criterion_per_hour, least_velocity)
-    notes = (
-        *quantities.warnings_of(found),
-        *law.validity,
-        *_velocity_notes(law, found),
-        *band_notes(energy, condition),
-    )
+    of_pressure = (*law.validity, *_velocity_notes(law, found))
+    notes = (*quantities.warnings_of(found), *band_notes(energy, condition), *of_pressure)
     found.attrs["warnings"] = "\n".join(dict.fromkeys(notes))
+    found.attrs["pressure_warnings"] = "\n".join(of_pressure)
     found.attrs["speed"] = ship.speed
     found.attrs["froude_number"] = float(froude_number(ship.speed, ship.design.hull.length))
     return Slamming(

@@ -75,7 +75,9 @@ class SlammingPanel(Panel):
         return f"Plan of the wet deck with contours of {field}. {self.model.verdict()}"
 
     def _plan_notes(self):
-        return quantities.warnings_of(self.model.findings.slam.statistics)
+        found = self.model.findings.slam.statistics
+        of_pressure = found.attrs["pressure_warnings"].split("\n")
+        return tuple(line for line in quantities.warnings_of(found) if line not in of_pressure)
 
     def _curve_figure(self):
         found = self.model.findings
