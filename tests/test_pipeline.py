@@ -233,9 +233,13 @@ def test_forward_speed_option_of_the_solver_is_offered_and_told_of(twin):
     omega, speed = [0.7], 1.0
     settings = replace(COARSE, interaction="on")
     ours = pipeline.response(twin, speed, [np.pi], omega, settings)
-    option = pipeline.response(twin, speed, [np.pi], omega, replace(settings, speed_treatment="forward-speed"))
+    option = pipeline.response(
+        twin, speed, [np.pi], omega, replace(settings, speed_treatment="forward-speed")
+    )
     for mode in ("heave", "pitch"):
-        first, second = (abs(complex(found.motions.motion_rao.sel(dof=mode)[0, 0])) for found in (ours, option))
+        first, second = (
+            abs(complex(found.motions.motion_rao.sel(dof=mode)[0, 0])) for found in (ours, option)
+        )
         assert second == pytest.approx(first, rel=0.1)
         assert second != first
     notes = quantities.warnings_of(option.motions)

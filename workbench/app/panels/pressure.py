@@ -161,6 +161,9 @@ class PressurePanel(SlammingPanel):
             mark_label=f"hardest: {number_words(hardest.peak_pressure / 1e3)} kPa",
         )  # fmt: skip
 
+    def _plan_notes(self):
+        return quantities.warnings_of(self.model.findings.slam.statistics)
+
     def _event_notes(self):
         return (self._event()[1],)
 
