@@ -191,6 +191,7 @@ def test_limits_travel_with_the_result(twin):
     notes = quantities.warnings_of(pipeline.slamming(fast, relative, twin.wet_deck, moving).statistics)
     assert any("rough guide" in line for line in notes)
     assert any("solved alone" in line for line in notes)
+    assert any("incident wave" in line for line in notes)
     ripple = Condition(
         speed=12.0, wave_direction=np.pi, sea_state=SeaState(significant_wave_height=0.3, peak_period=2.0)
     )
