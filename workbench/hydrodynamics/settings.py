@@ -80,7 +80,9 @@ def validity_warnings(
             "Each hull is solved alone: waves between the hulls are left out of the coefficients."
         )
     if count > 1 and (speed > 0 or not together or settings.wave_field == "incident"):
-        sentences.append("The water under the deck is the incident wave: what the hulls scatter is left out of it.")
+        sentences.append(
+            "The water under the deck is the incident wave: what the hulls scatter is left out of it."
+        )
     if whole_ship:
         sentences.append(
             "Capytaine's forward-speed option assumes small speed; its heave peak on the Delft 372 with both hulls is "
