@@ -41,7 +41,7 @@ def type_in(page, name, text):
 
 def test_first_figures_come_and_nothing_leaves_the_machine(new_page):
     print(f"first figures after {new_page.seconds_to_figures:.1f} s")
-    assert re.search(r"kn in Hs .* this deck slams", new_page.verdict)
+    assert new_page.wait(lambda: re.search(r"kn in Hs .* this deck slams", new_page.verdict), 60)
     assert new_page.outside == []
     assert new_page.errors == []
     assert new_page.page.evaluate("document.documentElement.lang") == "en"
