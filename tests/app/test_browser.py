@@ -70,7 +70,7 @@ def test_slider_changes_verdict_and_figure(new_page):
     for value in (3.0, 3.4, 2.8, 3.2):
         sentence = new_page.verdict
         times.append(seconds_to_picture(page, "clearance", value, "slams-on-deck"))
-        assert new_page.verdict != sentence
+        assert new_page.wait(lambda sentence=sentence: new_page.verdict != sentence)
         page.wait_for_timeout(1000)
         new_page.wait_until_idle()
     print("slider to figure:", ", ".join(f"{one:.2f} s" for one in times))
@@ -82,12 +82,12 @@ def test_refused_input_is_explained_beside_its_control_and_greys_the_figures(new
     type_in(page, "wave_height", "-2")
     problem = page.locator("[data-name=wave_height] .wb-problem")
     assert new_page.wait(lambda: "must be a finite number > 0" in problem.inner_text())
-    assert "must be" in new_page.verdict
+    assert new_page.wait(lambda: "must be" in new_page.verdict)
     assert new_page.wait(lambda: page.locator(".wb-figure.wb-is-old").count() >= 4)
     type_in(page, "wave_height", "2.5")
     assert new_page.wait(lambda: problem.inner_text() == "")
     assert new_page.wait(lambda: page.locator(".wb-figure.wb-is-old").count() == 0)
-    assert "Hs 2.5 m" in new_page.verdict
+    assert new_page.wait(lambda: "Hs 2.5 m" in new_page.verdict)
 
 
 def test_every_control_has_a_name(new_page):
@@ -144,7 +144,7 @@ def test_each_tab_shows_its_figures(new_page, title):
 )
 def test_files_are_saved(new_page, label, ending, start):
     new_page.open_tab("Data")
-    with new_page.page.expect_download(timeout=15000) as download:
+    with new_page.page.expect_download(timeout=40000) as download:
         new_page.page.get_by_role("button", name=label).click()
     assert download.value.suggested_filename.endswith(ending)
     with open(download.value.path(), "rb") as stream:
@@ -153,7 +153,7 @@ def test_files_are_saved(new_page, label, ending, start):
 
 def test_figure_is_saved_as_svg(new_page):
     new_page.open_tab("Slamming")
-    with new_page.page.expect_download(timeout=15000) as download:
+    with new_page.page.expect_download(timeout=40000) as download:
         new_page.page.get_by_role("button", name="Save as SVG: Where the deck slams").click()
     with open(download.value.path()) as stream:
         assert "<svg" in stream.read(600)
