@@ -124,8 +124,8 @@ def response(
         progress=progress,
     )
     stiffness = stiffness_matrix(design.hull, design.masses, design.density)
-    hydrodynamics.attrs["warnings"] = "\n".join(
-        dict.fromkeys([*notes, *quantities.warnings_of(hydrodynamics)])
+    hydrodynamics.attrs["warnings"] = quantities.joined_warnings(
+        [*notes, *quantities.warnings_of(hydrodynamics)]
     )
     return Response(
         design=design,
@@ -207,8 +207,8 @@ def slamming(
     found["required_height"] = criteria.required_height(moments, criterion_per_hour, least_velocity)
     of_pressure = (*law.validity, *_velocity_notes(law, found))
     notes = (*quantities.warnings_of(found), *band_notes(energy, condition), *of_pressure)
-    found.attrs["warnings"] = "\n".join(dict.fromkeys(notes))
-    found.attrs["pressure_warnings"] = "\n".join(of_pressure)
+    found.attrs["warnings"] = quantities.joined_warnings(notes)
+    found.attrs["pressure_warnings"] = quantities.joined_warnings(of_pressure)
     found.attrs["speed"] = ship.speed
     found.attrs["froude_number"] = float(froude_number(ship.speed, ship.design.hull.length))
     return Slamming(

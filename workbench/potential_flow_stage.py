@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from workbench import cache, quantities
-from workbench.conventions import GRAVITY, MODES, encounter_frequency, wavenumber
+from workbench.conventions import GRAVITY, encounter_frequency
 from workbench.design import Hull
 from workbench.errors import InputError
 from workbench.geometry.faceted import Panels
@@ -88,7 +88,7 @@ def hydrodynamics(
     if hull.count == 2:
         found.attrs |= _gap_attributes(hull, wetted)
     if hull.count == 2 and together and settings.tunnel_damping == 0:
-        found.attrs["warnings"] = "\n".join([*notes, _gap_note(found, omega)]).strip()
+        found.attrs["warnings"] = quantities.joined_warnings([*notes, _gap_note(found, omega)])
     if not with_field:
         if settings.wave_field == "total":
             raise InputError(
@@ -178,25 +178,10 @@ def _by_forward_speed_option(
         parts = potential_flow.forward_speed_coefficients(
             wetted, lid, omega, directions, speed, density, progress
         )
-        matrix = ("omega", "wave_direction", "influenced_dof", "radiating_dof")
-        return quantities.dataset(
-            {
-                "omega": omega,
-                "wave_direction": directions,
-                "influenced_dof": list(MODES),
-                "radiating_dof": list(MODES),
-            },
-            method="potential-flow",
-            attrs={"speed": float(speed), "density": float(density), "solver": potential_flow.SOLVER_VERSION},
-            added_mass=(matrix, parts["added_mass"]),
-            radiation_damping=(matrix, parts["radiation_damping"]),
-            froude_krylov_force=(matrix[:3], parts["froude_krylov_force"]),
-            diffraction_force=(matrix[:3], parts["diffraction_force"]),
-            excitation_force=(matrix[:3], parts["froude_krylov_force"] + parts["diffraction_force"]),
-            encounter_frequency=(matrix[:2], encounter_frequency(omega[:, None], speed, directions)),
-            wavenumber=("omega", wavenumber(omega)),
+        return forward_speed.coefficient_set(
+            omega, directions, speed, density, **parts, solver=potential_flow.SOLVER_VERSION
         )
 
     found = cache.cached(key, solved)
-    found.attrs["warnings"] = "\n".join(notes)
+    found.attrs["warnings"] = quantities.joined_warnings(notes)
     return found

@@ -178,8 +178,13 @@ def dataset(
     """
     made = labelled(xr.Dataset(dict(variables), coords=dict(coords or {})))
     made.attrs = {"method": method, "version": __version__, **dict(attrs or {})}
-    made.attrs["warnings"] = "\n".join(dict.fromkeys(warnings))
+    made.attrs["warnings"] = joined_warnings(warnings)
     return made
+
+
+def joined_warnings(sentences: Iterable[str]) -> str:
+    """Return sentences as the attribute ``warnings`` keeps them: a line each, each once, none empty."""
+    return "\n".join(dict.fromkeys(sentence for sentence in sentences if sentence))
 
 
 def warnings_of(*datasets: xr.Dataset) -> tuple[str, ...]:

@@ -1,5 +1,7 @@
 """Hydrostatics of the ship as it floats, and whether its masses balance them."""
 
+from functools import lru_cache
+
 import numpy as np
 import xarray as xr
 
@@ -126,6 +128,7 @@ def equilibrium(hull: Hull, masses: MassProperties, density: float = SEAWATER_DE
     return tuple(warnings)
 
 
+@lru_cache(maxsize=16)
 def _moments(hull: Hull, fine_count: int = FINE_COUNT) -> dict:
     """Return volume, centre of buoyancy, waterplane area, centre and moments of the whole ship."""
     wetted = panels(hull, fine_count)

@@ -254,27 +254,54 @@ def hydrodynamics(
         froude_krylov += phase * (own["froude_krylov"] @ shift)
         diffraction += phase * (own["diffraction"] @ shift)
 
-    matrix = ("omega", "wave_direction", "influenced_dof", "radiating_dof")
-    vector = ("omega", "wave_direction", "influenced_dof")
-    return quantities.dataset(
-        {
-            "omega": omega,
-            "wave_direction": directions,
-            "influenced_dof": list(MODES),
-            "radiating_dof": list(MODES),
-        },
+    return coefficient_set(
+        omega,
+        directions,
+        speed,
+        density,
+        added_mass=radiation.real / encounter[..., None, None] ** 2,
+        radiation_damping=radiation.imag / encounter[..., None, None],
+        froude_krylov_force=froude_krylov,
+        diffraction_force=diffraction,
+        solver=bodies[0].radiation.attrs["solver"],
         method=method,
         warnings=warnings,
-        attrs={
-            "speed": float(speed),
-            "density": float(density),
-            "solver": bodies[0].radiation.attrs["solver"],
-        },
-        added_mass=(matrix, radiation.real / encounter[..., None, None] ** 2),
-        radiation_damping=(matrix, radiation.imag / encounter[..., None, None]),
-        froude_krylov_force=(vector, froude_krylov),
-        diffraction_force=(vector, diffraction),
-        excitation_force=(vector, froude_krylov + diffraction),
-        encounter_frequency=(("omega", "wave_direction"), encounter),
+    )
+
+
+def coefficient_set(
+    omega: np.ndarray,
+    wave_directions: np.ndarray,
+    speed: float,
+    density: float,
+    *,
+    added_mass: np.ndarray,
+    radiation_damping: np.ndarray,
+    froude_krylov_force: np.ndarray,
+    diffraction_force: np.ndarray,
+    solver: str,
+    method: str = "potential-flow",
+    warnings: Sequence[str] = (),
+) -> xr.Dataset:
+    """Coefficients and forces as the Dataset that `hydrodynamics` returns, whichever way they were found.
+
+    Parameters
+    ----------
+    added_mass, radiation_damping : (omega, wave_direction, influenced_dof, radiating_dof).
+    froude_krylov_force, diffraction_force : (omega, wave_direction, influenced_dof).
+    """
+    matrix = ("omega", "wave_direction", "influenced_dof", "radiating_dof")
+    modes = {name: list(MODES) for name in matrix[2:]}
+    return quantities.dataset(
+        {"omega": omega, "wave_direction": wave_directions, **modes},
+        method=method,
+        warnings=warnings,
+        attrs={"speed": float(speed), "density": float(density), "solver": solver},
+        added_mass=(matrix, added_mass),
+        radiation_damping=(matrix, radiation_damping),
+        froude_krylov_force=(matrix[:3], froude_krylov_force),
+        diffraction_force=(matrix[:3], diffraction_force),
+        excitation_force=(matrix[:3], froude_krylov_force + diffraction_force),
+        encounter_frequency=(matrix[:2], encounter_frequency(omega[:, None], speed, wave_directions)),
         wavenumber=("omega", wavenumber(omega)),
     )

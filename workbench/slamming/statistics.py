@@ -163,8 +163,6 @@ def motion_statistics(motion_set: xr.Dataset, wave_energy: xr.DataArray) -> xr.D
 def _energy_weights(wave_energy: xr.DataArray) -> np.ndarray:
     """Energy of each wave of the table (omega, wave_direction), by the trapezium rule [m2]."""
     omega = wave_energy.omega.values
-    width = np.gradient(omega) if len(omega) > 1 else np.ones(1)
-    if len(omega) > 1:
-        width[[0, -1]] = (omega[1] - omega[0]) / 2, (omega[-1] - omega[-2]) / 2
-        width[1:-1] = (omega[2:] - omega[:-2]) / 2
+    half = np.diff(omega) / 2
+    width = np.append(half, 0.0) + np.append(0.0, half) if len(omega) > 1 else np.ones(1)
     return wave_energy.transpose("omega", "wave_direction").values * width[:, None]
