@@ -9,7 +9,6 @@ are split into real and imaginary parts here and nowhere else.
 import hashlib
 import json
 import os
-import tempfile
 import warnings
 from collections.abc import Callable, Mapping
 from importlib.resources import as_file, files
@@ -20,6 +19,7 @@ import platformdirs
 import xarray as xr
 
 from workbench.errors import InputError
+from workbench.whole_files import written_whole
 
 _PART = "complex_part"
 
@@ -91,14 +91,8 @@ def save_dataset(dataset: xr.Dataset, path: Path, *, single_precision: bool = Fa
     path = Path(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(suffix=".nc", prefix=".", dir=path.parent)
-        os.close(handle)
-        try:
+        with written_whole(path) as temporary:
             split.to_netcdf(temporary, encoding=encoding, engine="netcdf4")
-            os.chmod(temporary, 0o644)
-            os.replace(temporary, path)
-        finally:
-            Path(temporary).unlink(missing_ok=True)
     except OSError as error:
         raise InputError(
             f"Folder {path.parent} must be writable, got: {error.strerror or error}; choose another folder."

@@ -11,12 +11,9 @@ the fields of the classes of those names, in SI units and radians, and
 Nothing in a file is ever executed.
 """
 
-import contextlib
 import dataclasses
 import difflib
 import math
-import os
-import tempfile
 import tomllib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -28,6 +25,7 @@ from workbench.errors import InputError, checked_choice
 from workbench.hulls.mesh_files import mesh_from_file
 from workbench.hulls.offset_files import offsets_from_csv
 from workbench.shapes import SHAPES, HullShape
+from workbench.whole_files import written_whole
 
 ANGLES = "heel", "trim", "deadrise_angle", "entrance_angle"
 ENTRY_KEYS = "quantity", "value", "source", "standing"
@@ -62,18 +60,10 @@ def save_design(design: Design, path: str | Path) -> Path:
     """Write a design file, whole or not at all, and return its path."""
     path = Path(path)
     text = design_to_toml(design)
-    temporary = None
     try:
-        with tempfile.NamedTemporaryFile(
-            "w", encoding="utf-8", dir=path.parent, prefix=f".{path.name}.", delete=False
-        ) as stream:
-            temporary = stream.name
-            stream.write(text)
-        os.replace(temporary, path)
+        with written_whole(path) as temporary:
+            temporary.write_text(text, encoding="utf-8")
     except OSError as error:
-        if temporary:
-            with contextlib.suppress(OSError):
-                os.unlink(temporary)
         raise InputError(
             f"design file must be writable, {path} is not ({error.strerror}); choose another folder."
         ) from None

@@ -3,7 +3,6 @@
 import csv
 import io
 import json
-import os
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +20,7 @@ from workbench.scene.standalone import standalone_html
 from workbench.seas import Condition, SeaState
 from workbench.slamming import criteria, events
 from workbench.time_domain import Realisation
+from workbench.whole_files import written_whole
 
 USUAL_STEEPNESS = 1 / 25
 """Significant height of the usual sea, over the length of the ship [-]."""
@@ -194,14 +194,8 @@ def write(path: Path, content: str | bytes) -> None:
     """Write a file under a temporary name, then rename it; `InputError` if that cannot be done."""
     data = content.encode() if isinstance(content, str) else content
     try:
-        handle, temporary = tempfile.mkstemp(prefix=".", dir=path.parent)
-        try:
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(data)
-            os.chmod(temporary, 0o644)
-            os.replace(temporary, path)
-        finally:
-            Path(temporary).unlink(missing_ok=True)
+        with written_whole(path) as temporary:
+            temporary.write_bytes(data)
     except OSError as error:
         raise InputError(
             f"File {path} cannot be written: {error.strerror}; choose another folder."
