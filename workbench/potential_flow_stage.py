@@ -12,6 +12,7 @@ from workbench.errors import InputError
 from workbench.geometry.faceted import Panels
 from workbench.geometry.panels import lid_panels, panels
 from workbench.hydrodynamics import forward_speed, potential_flow
+from workbench.hydrodynamics.coefficients import coefficient_set
 from workbench.hydrodynamics.forward_speed import RadiatingBody
 from workbench.hydrodynamics.gap_resonance import gap_resonance
 from workbench.hydrodynamics.settings import PotentialFlowSettings, validity_warnings
@@ -178,7 +179,7 @@ def _by_forward_speed_option(
         parts = potential_flow.forward_speed_coefficients(
             wetted, lid, omega, directions, speed, density, progress
         )
-        return forward_speed.coefficient_set(
+        return coefficient_set(
             omega, directions, speed, density, **parts, solver=potential_flow.SOLVER_VERSION
         )
 

@@ -33,8 +33,8 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import CubicSpline
 
-from workbench import quantities
-from workbench.conventions import GRAVITY, MODES, encounter_frequency, wavenumber
+from workbench.conventions import GRAVITY, encounter_frequency, wavenumber
+from workbench.hydrodynamics.coefficients import coefficient_set
 from workbench.hydrodynamics.incident_wave import incident_normal_velocity, incident_potential
 from workbench.hydrodynamics.potential_flow import refuse_overtaken_waves
 from workbench.hydrodynamics.radiation import SYMMETRIC_MODES, mode_normals
@@ -266,42 +266,4 @@ def hydrodynamics(
         solver=bodies[0].radiation.attrs["solver"],
         method=method,
         warnings=warnings,
-    )
-
-
-def coefficient_set(
-    omega: np.ndarray,
-    wave_directions: np.ndarray,
-    speed: float,
-    density: float,
-    *,
-    added_mass: np.ndarray,
-    radiation_damping: np.ndarray,
-    froude_krylov_force: np.ndarray,
-    diffraction_force: np.ndarray,
-    solver: str,
-    method: str = "potential-flow",
-    warnings: Sequence[str] = (),
-) -> xr.Dataset:
-    """Coefficients and forces as the Dataset that `hydrodynamics` returns, whichever way they were found.
-
-    Parameters
-    ----------
-    added_mass, radiation_damping : (omega, wave_direction, influenced_dof, radiating_dof).
-    froude_krylov_force, diffraction_force : (omega, wave_direction, influenced_dof).
-    """
-    matrix = ("omega", "wave_direction", "influenced_dof", "radiating_dof")
-    modes = {name: list(MODES) for name in matrix[2:]}
-    return quantities.dataset(
-        {"omega": omega, "wave_direction": wave_directions, **modes},
-        method=method,
-        warnings=warnings,
-        attrs={"speed": float(speed), "density": float(density), "solver": solver},
-        added_mass=(matrix, added_mass),
-        radiation_damping=(matrix, radiation_damping),
-        froude_krylov_force=(matrix[:3], froude_krylov_force),
-        diffraction_force=(matrix[:3], diffraction_force),
-        excitation_force=(matrix[:3], froude_krylov_force + diffraction_force),
-        encounter_frequency=(matrix[:2], encounter_frequency(omega[:, None], speed, wave_directions)),
-        wavenumber=("omega", wavenumber(omega)),
     )

@@ -1,10 +1,8 @@
 """Radiation potentials of wetted panels at rest, one factorised matrix per encounter frequency.
 
-The potentials depend on the panels and on the encounter frequency alone. They
-are solved once and kept; `forward_speed` makes added mass, damping and wave
-forces of them for any wave, heading and speed without another matrix. Where the
-elevation between the hulls is wanted, the waves diffracted by the ship at rest
-are solved with the same factors.
+The potentials depend on panels and encounter frequency alone; `forward_speed` makes
+added mass, damping and wave forces of them for any wave, heading and speed. Where the
+elevation between the hulls is wanted, diffraction at rest uses the same factors.
 
 Sources on the wetted panels, on an interior waterplane lid (no irregular
 frequencies) and, if wanted, on a damping lid between the hulls, where
