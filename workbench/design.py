@@ -1,4 +1,4 @@
-"""A design: hull, wet deck and masses. Frozen, validated, hashable, and plain enough for a file.
+"""A design: hull, wet deck, masses, appendages and sails. Frozen, validated, hashable, and plain enough for a file.
 
 A variant is `dataclasses.replace(design, wet_deck=...)`; a model of it is
 `design.scaled(1 / 30)`. Meshes are made from a design by `workbench.geometry`
@@ -8,12 +8,14 @@ and never kept in it.
 import dataclasses
 from dataclasses import dataclass
 
+from workbench.appendages import APPENDAGES, Fin, Foil, LiftingSurface
 from workbench.arrangement import Hull, WetDeck
 from workbench.conventions import SEAWATER_DENSITY
 from workbench.errors import InputError, checked_choice, checked_number
 from workbench.hull_shape import set_number
+from workbench.sails import SailPlan
 
-__all__ = ["Design", "Hull", "MassProperties", "WetDeck"]
+__all__ = ["Design", "Fin", "Foil", "Hull", "MassProperties", "SailPlan", "WetDeck"]
 
 STANDINGS = "published", "derived", "ours"
 
@@ -81,6 +83,8 @@ class Design:
 
     Parameters
     ----------
+    appendages : foils and fins under the hulls.
+    sail_plan : of a sailing ship, or None.
     provenance : entries (quantity, value as text, source, standing), standing one of 'published',
         'derived' and 'ours'.
     """
@@ -92,6 +96,8 @@ class Design:
     density: float = SEAWATER_DENSITY
     title: str = ""
     provenance: tuple[tuple[str, str, str, str], ...] = ()
+    appendages: tuple[LiftingSurface, ...] = ()
+    sail_plan: SailPlan | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
@@ -106,6 +112,9 @@ class Design:
                 )
         if self.wet_deck is not None and not isinstance(self.wet_deck, WetDeck):
             raise InputError(f"wet deck must be a WetDeck or None, got {self.wet_deck!r}; give one.")
+        if self.sail_plan is not None and not isinstance(self.sail_plan, SailPlan):
+            raise InputError(f"sail plan must be a SailPlan or None, got {self.sail_plan!r}; give one.")
+        object.__setattr__(self, "appendages", _checked_appendages(self.appendages))
         set_number(
             self, "density", "density of the water", "kg/m3", at_least=900.0, at_most=1200.0,
             cure="fresh water is 1000, sea water 1025",
@@ -124,6 +133,17 @@ class Design:
             "x of the centre of gravity", masses.centre_of_gravity[0], "m",
             at_least=-length / 2, at_most=length / 2, cure="x is counted from midships, not from the stern",
         )  # fmt: skip
+        for surface in self.appendages:
+            x, y, _ = surface.position
+            checked_number(
+                f"x of {surface.name}", x, "m", at_least=-0.75 * length, at_most=0.75 * length,
+                cure="x is counted from midships, positive forward",
+            )  # fmt: skip
+            widest = self.hull.beam / 2 + surface.span
+            checked_number(
+                f"y of {surface.name}", y, "m", at_least=-widest, at_most=widest,
+                cure="appendages stand under or beside a hull",
+            )  # fmt: skip
         if self.wet_deck is None:
             return
         if self.hull.count == 1:
@@ -146,6 +166,8 @@ class Design:
             hull=self.hull.scaled(factor),
             wet_deck=self.wet_deck and self.wet_deck.scaled(factor),
             masses=self.masses.scaled(factor),
+            appendages=tuple(surface.scaled(factor) for surface in self.appendages),
+            sail_plan=self.sail_plan and self.sail_plan.scaled(factor),
             provenance=(*self.provenance, ("scale", f"{factor:g}", "Froude scaling of all above", "derived")),
         )
 
@@ -158,8 +180,21 @@ class Design:
             "hull": self.hull.as_dict(),
             **({"wet_deck": self.wet_deck.as_dict()} if self.wet_deck else {}),
             "masses": self.masses.as_dict(),
+            **({"appendages": [one.as_dict() for one in self.appendages]} if self.appendages else {}),
+            **({"sail_plan": self.sail_plan.as_dict()} if self.sail_plan else {}),
             "provenance": [list(entry) for entry in self.provenance],
         }
+
+
+def _checked_appendages(given: object) -> tuple[LiftingSurface, ...]:
+    """Return the appendages as a tuple."""
+    kinds = tuple(APPENDAGES.values())
+    if not isinstance(given, tuple | list) or not all(isinstance(one, kinds) for one in given):
+        raise InputError(f"appendages must be a tuple of Foil and Fin, got {given!r}; give these or none.")
+    names = [one.name for one in given]
+    if len(set(names)) < len(names):
+        raise InputError(f"names of appendages must differ, got {', '.join(names)}; rename one.")
+    return tuple(given)
 
 
 def _checked_entry(entry: object) -> tuple[str, str, str, str]:

@@ -1,9 +1,10 @@
 """Designs to and from TOML files.
 
 A file holds ``name``, ``title`` and ``density``, the tables ``[hull]``,
-``[hull.shape]``, ``[hull.centre_shape]``, ``[wet_deck]`` and ``[masses]`` with
-the fields of the classes of those names, in SI units and radians, and
-``[[provenance]]`` entries. An angle may be given in degrees by adding
+``[hull.shape]``, ``[hull.centre_shape]``, ``[wet_deck]``, ``[masses]`` and
+``[sail_plan]`` with the fields of the classes of those names, in SI units and
+radians, and entries ``[[appendages]]`` (of kind "foil" or "fin") and
+``[[provenance]]``. An angle may be given in degrees by adding
 ``_degrees`` to its name. A shape of kind "offsets" may name a CSV ``file``
 (with ``unit``) in place of stations, one of kind "mesh" a mesh ``file`` (with
 ``unit``, ``waterline`` and ``midships``), both relative to the design file.
@@ -20,14 +21,15 @@ from pathlib import Path
 
 import tomli_w
 
-from workbench.design import Design, Hull, MassProperties, WetDeck
+from workbench.appendages import APPENDAGES, LiftingSurface
+from workbench.design import Design, Hull, MassProperties, SailPlan, WetDeck
 from workbench.errors import InputError, checked_choice
 from workbench.hulls.mesh_files import mesh_from_file
 from workbench.hulls.offset_files import offsets_from_csv
 from workbench.shapes import SHAPES, HullShape
 from workbench.whole_files import written_whole
 
-ANGLES = "heel", "trim", "deadrise_angle", "entrance_angle"
+ANGLES = "heel", "trim", "deadrise_angle", "entrance_angle", "cant", "sweep"
 ENTRY_KEYS = "quantity", "value", "source", "standing"
 FILE_KEYS = {
     "offsets": ("file", "unit", "draught", "length"),
@@ -118,14 +120,32 @@ def _design(values: dict, folder: Path) -> Design:
     if "wet_deck" in values:
         table = _checked_table(values["wet_deck"], _fields(WetDeck), "[wet_deck]")
         made["wet_deck"] = _made(WetDeck, table, "[wet_deck]")
-    entries = values.get("provenance", [])
-    if not isinstance(entries, list):
-        raise InputError(f"provenance must be [[provenance]] tables, got {entries!r}; use double brackets.")
-    tables = [_checked_table(entry, ENTRY_KEYS, "[[provenance]]") for entry in entries]
+    if "sail_plan" in values:
+        table = _checked_table(values["sail_plan"], _fields(SailPlan), "[sail_plan]")
+        made["sail_plan"] = _made(SailPlan, table, "[sail_plan]")
+    made["appendages"] = tuple(_appendage(table) for table in _tables(values, "appendages"))
+    tables = [_checked_table(entry, ENTRY_KEYS, "[[provenance]]") for entry in _tables(values, "provenance")]
     made["provenance"] = tuple(
         tuple(_needed(table, key, "[[provenance]]") for key in ENTRY_KEYS) for table in tables
     )
     return _made(Design, made, "the design")
+
+
+def _tables(values: Mapping, name: str) -> list:
+    """Return the entries of an array of tables."""
+    entries = values.get(name, [])
+    if not isinstance(entries, list):
+        raise InputError(f"{name} must be [[{name}]] tables, got {entries!r}; use double brackets.")
+    return entries
+
+
+def _appendage(table: object) -> LiftingSurface:
+    """Return a foil or a fin."""
+    where = "[[appendages]]"
+    values = _checked_table(table, ("kind", *_fields(LiftingSurface)), where)
+    kind = checked_choice(f"kind of {where}", _needed(values, "kind", where), APPENDAGES)
+    del values["kind"]
+    return _made(APPENDAGES[kind], values, where)
 
 
 def _shape(table: object, folder: Path, where: str) -> HullShape:

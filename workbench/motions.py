@@ -3,15 +3,25 @@
 With exp(-i omega_e t), about the ship's origin::
 
     [-omega_e^2 (M + A) - i omega_e (B + B_viscous) + C] xi = F
+
+Forces that are not of the hull in potential flow (`workbench.damping`) are added
+to A, B, C and F; drag across the hulls is linearised by iteration.
 """
+
+from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
 
 from workbench import quantities
 from workbench.conventions import MODES, wavenumber
+from workbench.damping.cross_flow import LINEARISED, CrossFlow
 from workbench.design import MassProperties
-from workbench.errors import InputError
+from workbench.errors import InputError, checked_choice, checked_number
+
+DRAG_ITERATIONS = 100
+DRAG_TOLERANCE = 1e-6
+"""Largest change of a displacement or rotation in an iteration, over the largest, that ends the iteration [-]."""
 
 
 def translation_matrix(point) -> np.ndarray:
@@ -67,7 +77,14 @@ def roll_damping(masses: MassProperties, stiffness: np.ndarray, added_mass: np.n
 
 
 def motions(
-    hydrodynamics: xr.Dataset, masses: MassProperties, hydrostatic_stiffness: xr.DataArray
+    hydrodynamics: xr.Dataset,
+    masses: MassProperties,
+    hydrostatic_stiffness: xr.DataArray,
+    *,
+    additions: Sequence[xr.Dataset] = (),
+    locked: Sequence[str] = (),
+    cross_flow: CrossFlow | None = None,
+    wave_amplitude: float | None = None,
 ) -> xr.Dataset:
     """Motions per wave amplitude of a free ship, at its centre of gravity.
 
@@ -76,48 +93,149 @@ def motions(
     hydrodynamics : added mass, damping and excitation over (omega, wave_direction), about the origin.
     masses : mass, centre of gravity, gyradii, roll damping.
     hydrostatic_stiffness : (6, 6) about the origin, gravity's part included.
+    additions : Datasets with any of ``added_mass``, ``damping``, ``stiffness`` and ``excitation_force`` about
+        the origin, for the same waves where they depend on them (sails, foils, fins, roll damping).
+    locked : modes that are held at zero at the centre of gravity, such as ("roll",) for a ship that
+        flies a hull, or ("surge", "sway", "yaw") for a captive model.
+    cross_flow : pieces of hull with drag, linearised for waves of ``wave_amplitude`` [m]; the
+        response then depends on this amplitude.
 
     Returns
     -------
     Dataset: ``motion_rao`` (omega, wave_direction, dof) complex, at the centre of
     gravity, for a crest at the *origin* at t = 0; ``wave_at_reference`` the
     incident elevation at the centre of gravity (phases are quoted against it);
-    ``encounter_frequency``, ``wavenumber``; the centre of gravity in the attributes.
+    ``encounter_frequency``, ``wavenumber``; the centre of gravity, the locked modes and the wave
+    amplitude of the linearisation in the attributes.
 
     Notes
     -----
     In long waves heave tends to 1 and pitch to the wave slope. Linear: small
-    motions, no lift, no viscous damping but the roll damping of ``masses``.
+    motions; no lift and no viscous damping but the roll damping of ``masses`` and what is added.
     """
     stiffness = np.asarray(hydrostatic_stiffness)
-    added, damping = hydrodynamics.added_mass.values, hydrodynamics.radiation_damping.values
+    added = hydrodynamics.added_mass.values + _sum(additions, "added_mass", hydrodynamics)
+    damping = hydrodynamics.radiation_damping.values + _sum(additions, "damping", hydrodynamics)
+    damping = damping + roll_damping(masses, stiffness, hydrodynamics.added_mass.values)
+    stiffness = stiffness + _sum(additions, "stiffness", hydrodynamics)
+    force = hydrodynamics.excitation_force.values + _sum(additions, "excitation_force", hydrodynamics)
     encounter = hydrodynamics.encounter_frequency.values[..., None, None]
-    damping = damping + roll_damping(masses, stiffness, added)
     system = -(encounter**2) * (mass_matrix(masses) + added) - 1j * encounter * damping + stiffness
-    force = hydrodynamics.excitation_force.values[..., None]
-    try:
-        at_origin = np.linalg.solve(system, force)[..., 0]
-    except np.linalg.LinAlgError as error:
-        raise InputError(
-            "The equation of motion is singular; check masses and gyradii of the design."
-        ) from error
     centre = masses.centre_of_gravity
+    free = _free_modes(locked)
+    notes = list(quantities.warnings_of(hydrodynamics, *additions))
+    attrs = {
+        "speed": hydrodynamics.attrs["speed"],
+        "density": hydrodynamics.attrs["density"],
+        "centre_of_gravity": [float(value) for value in centre],
+    }
+    if len(free) < 6:
+        held = [mode for mode in MODES if mode in locked]
+        attrs["locked"] = ", ".join(held)
+        notes.append(f"{' and '.join(held).capitalize()} held at zero at the centre of gravity.")
+    if cross_flow is None:
+        at_origin = _solution(system, force, centre, free)
+    else:
+        attrs["wave_amplitude"] = checked_number(
+            "wave amplitude of the drag", wave_amplitude, "m", above=0.0, at_most=50.0,
+            cure="drag across the hulls is linearised for waves of one amplitude",
+        )  # fmt: skip
+        at_origin, note = _with_drag(hydrodynamics, system, force, centre, free, cross_flow, wave_amplitude)
+        notes.append(note)
+    at_centre = at_origin @ translation_matrix(centre).T
+    at_centre[..., [index for index in range(6) if index not in free]] = 0.0
     k = hydrodynamics.wavenumber.values[:, None]
     direction = hydrodynamics.wave_direction.values[None, :]
     along = centre[0] * np.cos(direction) + centre[1] * np.sin(direction)
     return quantities.dataset(
         {"omega": hydrodynamics.omega, "wave_direction": hydrodynamics.wave_direction, "dof": list(MODES)},
         method=hydrodynamics.attrs["method"],
-        warnings=quantities.warnings_of(hydrodynamics),
-        attrs={
-            "speed": hydrodynamics.attrs["speed"],
-            "density": hydrodynamics.attrs["density"],
-            "centre_of_gravity": [float(value) for value in centre],
-        },
-        motion_rao=(("omega", "wave_direction", "dof"), at_origin @ translation_matrix(centre).T),
+        warnings=notes,
+        attrs=attrs,
+        motion_rao=(("omega", "wave_direction", "dof"), at_centre),
         wave_at_reference=(("omega", "wave_direction"), np.exp(1j * k * along)),
         encounter_frequency=(("omega", "wave_direction"), hydrodynamics.encounter_frequency.values),
         wavenumber=("omega", hydrodynamics.wavenumber.values),
+    )
+
+
+def _free_modes(locked: Sequence[str]) -> list[int]:
+    """Return the numbers of the modes that are not locked."""
+    if isinstance(locked, str):
+        raise InputError(f"locked must be a list of modes, got {locked!r}; write ({locked!r},).")
+    for mode in locked:
+        checked_choice("locked mode", mode, MODES)
+    free = [index for index, mode in enumerate(MODES) if mode not in locked]
+    if not free:
+        raise InputError("locked must leave one mode free, got all six; take one out.")
+    return free
+
+
+def _sum(additions: Sequence[xr.Dataset], name: str, hydrodynamics: xr.Dataset):
+    """Return the sum of a variable over the additions, on the waves of the hydrodynamics; 0 if there is none."""
+    total = 0.0
+    for one in additions:
+        if name not in one:
+            continue
+        variable = one[name]
+        for dim in ("omega", "wave_direction"):
+            if dim not in variable.dims:
+                variable = variable.expand_dims(dim)
+            elif not np.array_equal(variable[dim], hydrodynamics[dim]):
+                raise InputError(
+                    f"{name} of {one.attrs.get('method', 'an addition')} must be for the waves of the hydrodynamics, "
+                    f"its {dim} differs; compute it for the same."
+                )
+        modes = [dim for dim in ("influenced_dof", "radiating_dof") if dim in variable.dims]
+        total = total + variable.transpose("omega", "wave_direction", *modes).values
+    return total
+
+
+def _solution(system: np.ndarray, force: np.ndarray, centre, free: list[int]) -> np.ndarray:
+    """Return the motions at the origin of the modes that are free at the centre of gravity."""
+    try:
+        if len(free) == 6:
+            return np.linalg.solve(system, force[..., None])[..., 0]
+        from_centre = np.linalg.inv(translation_matrix(centre))[:, free]
+        reduced = from_centre.T @ system @ from_centre
+        return np.linalg.solve(reduced, (force @ from_centre)[..., None])[..., 0] @ from_centre.T
+    except np.linalg.LinAlgError as error:
+        raise InputError(
+            "The equation of motion is singular; check masses and gyradii of the design."
+        ) from error
+
+
+def _with_drag(
+    hydrodynamics: xr.Dataset,
+    system: np.ndarray,
+    force: np.ndarray,
+    centre,
+    free: list[int],
+    drag: CrossFlow,
+    amplitude: float,
+) -> tuple[np.ndarray, str]:
+    """Return the motions at the origin with linearised drag, and a sentence about the linearisation."""
+    speed = hydrodynamics.attrs["speed"]
+    met = hydrodynamics.encounter_frequency.values[..., None, None]
+    moved = drag.velocity_rows
+    flow = -1j * met * moved + speed * drag.turning_rows
+    wave = drag.wave_velocity(hydrodynamics.omega.values, hydrodynamics.wave_direction.values)
+    found = _solution(system, force, centre, free)
+    for _ in range(DRAG_ITERATIONS):
+        across = np.abs(np.einsum("fbnj,fbj->fbn", flow, found) - wave)
+        strength = LINEARISED * amplitude * drag.strengths * across
+        resisted = system + np.einsum("fbn,nj,fbnk->fbjk", strength, moved, flow, optimize=True)
+        driven = force + np.einsum("fbn,nj->fbj", strength * wave, moved)
+        new = _solution(resisted, driven, centre, free)
+        kinds = np.abs(new).reshape(-1, 2, 3).max(axis=(0, 2))
+        change = float((np.abs(new - found).reshape(-1, 2, 3).max(axis=(0, 2)) / kinds).max())
+        found = (found + new) / 2
+        if change < DRAG_TOLERANCE:
+            note = f"Drag across the hulls is linearised for waves of {amplitude:g} m amplitude."
+            return new, note
+    return found, (
+        f"Drag across the hulls did not settle in {DRAG_ITERATIONS} iterations; the last change was "
+        f"{100 * change:.2g} % of the largest motion."
     )
 
 

@@ -69,6 +69,8 @@ TABLE: dict[str, Quantity] = {
     "diffraction_force": Quantity("N/m, N", "diffraction force per wave amplitude", "$F^D_j$"),
     "encounter_frequency": Quantity("rad/s", "encounter frequency", r"$\omega_e$"),
     "wavenumber": Quantity("rad/m", "wave number", "$k$"),
+    "damping": Quantity("kg/s, kg m/s, kg m2/s", "damping beside radiation", "$B_{jk}$"),
+    "stiffness": Quantity("N/m, N, N m", "stiffness beside hydrostatics", "$C_{jk}$"),
     "radiation_potential": Quantity("m2", "radiation potential per unit velocity", r"$\varphi_k$"),
     "radiated_elevation": Quantity("m/m, m/rad", "radiated wave elevation per motion amplitude", r"$\eta_k$"),
     "diffracted_elevation": Quantity("m/m", "diffracted wave elevation per wave amplitude", r"$\eta_D$"),

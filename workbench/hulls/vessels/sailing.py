@@ -3,9 +3,14 @@
 from workbench.design import Design, Hull, WetDeck
 from workbench.hulls.vessels import fitting
 from workbench.hulls.vessels.provenance import GRANDE, derived, ours, published
+from workbench.sails import SailPlan, tapered_sail_plan
 from workbench.shapes import SemiSwath, SlenderRacing
 
 SEA = 1025.0
+UPWIND_LIFT = 1.2
+"""Lift coefficient of sails close-hauled, ours [-]."""
+UPWIND_SAIL_AREA_35 = 577.0
+"""Of both 35 m concepts [m2]."""
 
 
 def crowther_318() -> Design:
@@ -43,6 +48,7 @@ def crowther_318() -> Design:
         masses=fitting.balanced_masses(
             mass, lcb * length, 1.3, gyradii=(0.32 * 10.8, 0.27 * length, 0.33 * length)
         ),
+        sail_plan=tapered_sail_plan(10.4, 2.0, 1.8, 22.8, UPWIND_LIFT),
         provenance=(
             published("length and breadth over all", "15.2 m, 10.8 m", f"{GRANDE}, table 3.1"),
             published("displacement", "3700 kg, sailing condition", f"{GRANDE}, table 3.1"),
@@ -64,6 +70,11 @@ def crowther_318() -> Design:
                 "wet deck",
                 "clearance 1.05 m; pod V 0.40 m deep and 2.2 m wide on the centreline",
                 "not given; one deck carries both main beam and pod, which stand apart on the ship",
+            ),
+            ours(
+                "sail plan",
+                "130 m2 from 1.8 to 22.8 m, chord 10.4 m tapering to 2 m, lift coefficient 1.2",
+                "not given; usual for the kind",
             ),
         ),
     )
@@ -91,6 +102,7 @@ def catamaran_35() -> Design:
         ),
         wet_deck=_deck_35(18.0),
         masses=_masses_35(mass, lcb * length, length),
+        sail_plan=_sails_35(),
         provenance=(
             *_published_35(),
             ours("waterline length and beam of a hull", "34.0, 1.3 m", "not given; length/beam about 26"),
@@ -135,6 +147,7 @@ def trimaran_35() -> Design:
         hull=Hull(shape=outer, count=3, spacing=20.2, centre_shape=centre),
         wet_deck=_deck_35(19.4),
         masses=_masses_35(mass, lcb * length, length),
+        sail_plan=_sails_35(),
         provenance=(
             *_published_35(),
             ours(
@@ -163,6 +176,13 @@ def _deck_35(width: float) -> WetDeck:
     return WetDeck(aft=-7.0, fore=5.0, width=width, clearance=2.5, entry_length=1.0, entry_rise=0.5)
 
 
+def _sails_35() -> SailPlan:
+    """Return the sails of both concepts, with the published area."""
+    lowest, highest, head = 3.5, 43.5, 4.0
+    foot = 2 * UPWIND_SAIL_AREA_35 / (highest - lowest) - head
+    return tapered_sail_plan(foot, head, lowest, highest, UPWIND_LIFT)
+
+
 def _masses_35(mass: float, x: float, length: float):
     """Return the masses of both concepts."""
     return fitting.balanced_masses(mass, x, 2.6, gyradii=(0.30 * 21.0, 0.25 * length, 0.30 * length))
@@ -175,7 +195,7 @@ def _published_35() -> tuple:
         published("length and breadth over all", "35 m, 21 m", source),
         published("displacement", "24000 kg", source),
         published("height of the main beam above still water", "2.5 m", source),
-        published("upwind sail area", "577 m2 (not used)", source),
+        published("upwind sail area", "577 m2", source),
     )
 
 
@@ -185,4 +205,9 @@ def _chosen_35() -> tuple:
         ours("extent of the wet deck", "x -7 to 5 m, raked over its first metre", "not given"),
         ours("centre of gravity", "above the centre of buoyancy, 2.6 m above still water", "not given"),
         ours("gyradii", "0.30 breadth, 0.25 and 0.30 length", "not given; with the rig"),
+        ours(
+            "height, taper and lift coefficient of the sails",
+            "3.5 to 43.5 m, chord tapering to 4 m, 1.2",
+            "not given; usual for the kind",
+        ),
     )
