@@ -135,6 +135,48 @@ TABLE: dict[str, Quantity] = {
     "component_kx": Quantity("rad/m", "longitudinal wave number of the component", "$k_x$"),
     "component_ky": Quantity("rad/m", "transverse wave number of the component", "$k_y$"),
     "component_phase": Quantity("rad", "phase of the wave component", r"$\varepsilon_j$"),
+    # measured records
+    "channel": Quantity("1", "channel", ""),
+    "channel_unit": Quantity("1", "unit of the channel", ""),
+    "level": Quantity("unit of the record", "level", "$x$"),
+    "record_omega": Quantity("rad/s", "frequency of the record", r"$\omega_e$"),
+    "measured": Quantity("unit of the channel", "measured value", "$y$"),
+    "record_mean": Quantity("unit of the channel", "mean", r"$\bar y$"),
+    "record_std": Quantity("unit of the channel", "standard deviation", r"$\sigma_y$"),
+    "record_spectrum": Quantity("unit of the channel squared, s/rad", "spectrum", "$S_y$"),
+    "spectrum_low": Quantity("unit of the channel squared, s/rad", "lower end of the band", "$S_-$"),
+    "spectrum_high": Quantity("unit of the channel squared, s/rad", "upper end of the band", "$S_+$"),
+    "mean_period": Quantity("s", "mean period", "$T_{01}$"),
+    "zero_crossing_period": Quantity("s", "zero-crossing period", "$T_{02}$"),
+    "wave_record_spectrum": Quantity("m2 s/rad", "spectrum of the encountered waves", r"$S_\zeta$"),
+    "wave_slope_spectrum": Quantity("rad2 s/rad", "spectrum of the wave slope", r"$k^2 S_\zeta$"),
+    "wave_omega": Quantity("rad/s", "wave frequency", r"$\omega$"),
+    "usable": Quantity("1", "enough wave energy at the frequency", ""),
+    "response_amplitude": Quantity(
+        "unit of the channel per m or rad", "response per wave amplitude or slope", r"$|y|/\zeta_a$"
+    ),
+    "cross_amplitude": Quantity(
+        "unit of the channel per m or rad", "response from the cross-spectrum", r"$|H_1|$"
+    ),
+    "response_lead": Quantity("rad", "lead over the wave", r"$\epsilon$"),
+    "response_error": Quantity("1", "relative standard error of the response", r"$\varepsilon$"),
+    "coherence": Quantity("1", "coherence squared", r"$\gamma^2$"),
+    "wave_period": Quantity("s", "period between zero up-crossings", "$T$"),
+    "crest": Quantity("unit of the record", "crest", "$a_+$"),
+    "trough": Quantity("unit of the record", "depth of the trough", "$a_-$"),
+    "double_amplitude": Quantity("unit of the record", "double amplitude", "$H$"),
+    "exceedance_counted": Quantity("1", "share of crests above the level, counted", "$P_c$"),
+    "exceedance_rayleigh": Quantity("1", "share of crests above the level, Rayleigh", "$P$"),
+    "slam_acceleration": Quantity("m/s2", "acceleration of the slam", "$a$"),
+    "slam_strength": Quantity("1", "strength of the slam over the threshold or the noise", "$s$"),
+    "point_displacement": Quantity("m", "vertical displacement of the point", r"$\xi_{3i}$"),
+    "point_velocity": Quantity("m/s", "vertical velocity of the point", r"$\dot\xi_{3i}$"),
+    "elevation_at_point": Quantity("m", "wave elevation at the point", r"$\zeta_i$"),
+    "closing_velocity": Quantity("m/s", "closing velocity of water and point", r"$-\dot Z_R$"),
+    "event_vertex": Quantity("1", "number of the point", "$i$"),
+    "added_resistance": Quantity(
+        "N/m2", "added resistance per wave amplitude squared", r"$R_{AW}/\zeta_a^2$"
+    ),
     # drawing
     "pose": Quantity("m, rad", "motion of the origin", r"$\xi_j$"),
     "hull_vertices": Quantity("m", "hull surface points", "$x$"),

@@ -1,0 +1,1 @@
+"""Command for measured records."""
