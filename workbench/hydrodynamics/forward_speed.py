@@ -1,29 +1,12 @@
 """Added mass, damping and wave forces at speed, from the radiation potentials of hulls at rest.
 
-Speed enters as in strip theory [STF1970]_, but on three-dimensional potentials:
-through the encounter frequency, through the m-terms of pitch and yaw in a uniform
-stream, through the convective pressure by the Ogilvie-Tuck theorem and, behind a
-transom that runs dry, through its end terms. Diffraction forces follow from the
-radiation potentials by Haskind's relation, so that waves, headings and speeds
-cost sums over panels and no matrix.
+Speed enters as in strip theory, but on three-dimensional potentials: `speed_terms`.
+Diffraction forces follow from the radiation potentials by Haskind's relation, so
+that waves, headings and speeds cost sums over panels and no matrix::
 
-With exp(-i omega_e t), unit-velocity potentials phi_k, outward normals and
-x forward (complex conjugate of [Grande2002]_ A1.87, A1.97-A1.99, which use
-exp(+i omega_e t))::
+    F0_jk = -rho omega_e^2 int phi_k n_j,  t_jk = -rho omega_e^2 line integral of phi_k n_j at the transom
 
-    F_jk = F0_jk                       F0_jk = -rho omega_e^2 int phi_k n_j
-    F_5k += U/(i omega_e) F0_3k        F_j5 -= U/(i omega_e) F0_j3     (pitch)
-    F_6k -= U/(i omega_e) F0_2k        F_j6 += U/(i omega_e) F0_j2     (yaw)
-    F_jk -= U/(i omega_e) t_jk         t_jk = -rho omega_e^2 line integral of phi_k n_j at the transom
-    D_5 += U/(i omega_e) D_3,  D_6 -= U/(i omega_e) D_2,  D_j -= U/(i omega_e) d_j
-
-with D_j the diffraction force and d_j its density per length at the transom, both by
-Haskind's relation (d_j in the sense of strips).
-
-.. [STF1970] N. Salvesen, E. O. Tuck and O. Faltinsen, "Ship motions and sea loads",
-    Trans. SNAME 78, 250-287, 1970.
-.. [Grande2002] K. Grande, "Prediction of slamming occurrence of catamarans", MSc thesis,
-    Curtin University of Technology, 2002, appendix 1.
+with unit-velocity potentials phi_k and outward normals.
 """
 
 from collections.abc import Sequence
@@ -38,9 +21,7 @@ from workbench.hydrodynamics.coefficients import coefficient_set
 from workbench.hydrodynamics.incident_wave import incident_normal_velocity, incident_potential
 from workbench.hydrodynamics.potential_flow import refuse_overtaken_waves
 from workbench.hydrodynamics.radiation import SYMMETRIC_MODES, mode_normals
-
-VENTILATION_FROUDE_NUMBER = 2.5
-"""Froude number on the transom draught from which the transom is taken to run dry [-]."""
+from workbench.hydrodynamics.speed_terms import VENTILATION_FROUDE_NUMBER, force_with_speed, with_speed
 
 
 class RadiatingBody(NamedTuple):
@@ -126,7 +107,7 @@ def body_coefficients(
     )
     scale = -density * distinct[:, None, None] ** 2
     ratio = speed / (1j * distinct)
-    force = _with_speed(scale * at_rest, scale * line, ratio)[back].reshape(*shape, 6, 6)
+    force = with_speed(scale * at_rest, scale * line, ratio)[back].reshape(*shape, 6, 6)
 
     back = back.reshape(shape)
     froude_krylov = np.zeros((*shape, 6), complex)
@@ -138,7 +119,7 @@ def body_coefficients(
         own, met = potential[back[i]], 1j * density * encounter[i, :, None]
         diffracted = met * np.einsum("bjp,jbp->bj", own * weights, velocity)
         end = met * np.einsum("bjp,jbp->bj", own[..., last] * girths[last], velocity[..., last])
-        diffraction[i] = _force_with_speed(diffracted, end, speed / (1j * encounter[i]))
+        diffraction[i] = force_with_speed(diffracted, end, speed / (1j * encounter[i]))
     return {
         "encounter": encounter,
         "radiation": force,
@@ -160,31 +141,6 @@ def _waves_by_parity(
     other_wave = incident_potential(centres * mirror, omega, wave_directions)
     other = incident_normal_velocity(centres * mirror, normals * mirror, omega, wave_directions)
     return (wave + parity * other_wave) / 2, (velocity + parity * other) / 2
-
-
-def _with_speed(at_rest: np.ndarray, line: np.ndarray, ratio: np.ndarray) -> np.ndarray:
-    """Add the speed terms of the module's head to radiation forces (frequency, j, k)."""
-    ratio = ratio[:, None]
-
-    def columns(force):
-        full = force.copy()
-        full[:, :, 4] -= ratio * force[:, :, 2]
-        full[:, :, 5] += ratio * force[:, :, 1]
-        return full
-
-    moving, end = columns(at_rest), columns(line)
-    full = moving.copy()
-    full[:, 4, :] += ratio * moving[:, 2, :]
-    full[:, 5, :] -= ratio * moving[:, 1, :]
-    return full - ratio[:, :, None] * end
-
-
-def _force_with_speed(at_rest: np.ndarray, end: np.ndarray, ratio: np.ndarray) -> np.ndarray:
-    """Add the speed terms to diffraction forces (wave_direction, 6); ``end`` is their density at a dry transom."""
-    force = at_rest - ratio[:, None] * end
-    force[:, 4] += ratio * at_rest[:, 2]
-    force[:, 5] -= ratio * at_rest[:, 1]
-    return force
 
 
 def _transom_girths(radiation: xr.Dataset) -> np.ndarray:
