@@ -4,9 +4,10 @@ import math
 
 import pytest
 
-from workbench.design import Design, Hull, MassProperties, WetDeck
+from workbench.design import Design, Fin, Foil, Hull, MassProperties, WetDeck
 from workbench.errors import InputError
 from workbench.hulls import library
+from workbench.sails import tapered_sail_plan
 from workbench.shapes import Wigley
 
 SHAPE = Wigley(length=40.0, beam=4.0, draught=2.0, depth=5.0)
@@ -157,3 +158,45 @@ def test_the_dictionary_of_a_design_is_plain_enough_for_a_content_key():
 def test_length_is_that_of_the_longest_hull():
     trimaran = library.design("trimaran-35").hull
     assert trimaran.length == trimaran.centre_shape.length > trimaran.shape.length
+
+
+FOIL = Foil(name="T-foil", area=4.0, span=3.0, position=(15.0, 0.0, -3.0))
+RUDDERS = Fin(name="rudders", area=2.0, span=1.6, position=(-18.0, 5.0, -2.2), pair=True)
+SAILS = tapered_sail_plan(10.0, 2.0, 2.0, 30.0, 1.2)
+
+
+def test_a_design_without_appendages_and_sails_says_nothing_of_them():
+    assert list(design().as_dict()) == [
+        "name", "title", "density", "hull", "wet_deck", "masses", "provenance",
+    ]  # fmt: skip
+    fitted = design(appendages=[FOIL, RUDDERS], sail_plan=SAILS)
+    assert [one["kind"] for one in fitted.as_dict()["appendages"]] == ["foil", "fin"]
+    assert fitted.as_dict()["sail_plan"]["chords"] == (10.0, 2.0)
+    assert hash(fitted) != hash(design())
+    json.dumps(fitted.as_dict())
+
+
+def test_appendages_and_sails_scale_with_the_ship():
+    model = design(appendages=(FOIL, RUDDERS), sail_plan=SAILS).scaled(0.1)
+    foil, rudders = model.appendages
+    assert (foil.area, foil.span, *foil.position) == pytest.approx((0.04, 0.3, 1.5, 0.0, -0.3))
+    assert rudders.aspect_ratio == pytest.approx(RUDDERS.aspect_ratio)
+    assert model.sail_plan.area == pytest.approx(0.01 * SAILS.area)
+    assert design().scaled(0.1).sail_plan is None
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"appendages": FOIL}, "appendages must be a tuple of Foil and Fin"),
+        ({"appendages": (3,)}, "appendages must be a tuple of Foil and Fin"),
+        ({"appendages": (FOIL, FOIL)}, "names of appendages must differ"),
+        ({"appendages": (FOIL.scaled(3.0),)}, "x of T-foil must be"),
+        ({"appendages": (dataclasses.replace(FOIL, position=(0, 12.0, -3.0)),)}, "y of T-foil must be"),
+        ({"sail_plan": 577.0}, "sail plan must be a SailPlan or None"),
+    ],
+)
+def test_appendages_and_sails_that_do_not_fit_are_refused(changes, sentence):
+    with pytest.raises(InputError, match=sentence) as caught:
+        design(**changes)
+    assert "\n" not in str(caught.value)

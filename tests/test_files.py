@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from workbench.design import Design, Hull, MassProperties, WetDeck
+from workbench.design import Design, Fin, Foil, Hull, MassProperties, WetDeck
 from workbench.errors import InputError
 from workbench.files import design_from_toml, design_to_toml, save_design
 from workbench.geometry.hydrostatics import hydrostatics
@@ -263,3 +263,66 @@ def test_a_mesh_may_be_named_in_a_design_or_stand_in_it(tmp_path):
     made = design_from_toml(path)
     assert isinstance(made.hull.shape, PanelMesh)
     assert design_from_toml(design_to_toml(made)) == made
+
+
+FITTED = (
+    PLAIN
+    + """
+[sail_plan]
+heights = [2.0, 10.0, 30.0]
+chords = [10, 8.5, 2.0]
+lift_coefficient = 1.2
+[[appendages]]
+kind = "fin"
+name = "daggerboards"
+area = 2.0
+span = 2.5
+position = [1.0, 5.0, -3.0]
+cant_degrees = 80.0
+pair = true
+[[appendages]]
+kind = "foil"
+name = "T-foil"
+area = 3.0
+span = 3.0
+position = [12.0, 0.0, -3.0]
+lift_slope = 3.5
+"""
+)
+
+
+def test_appendages_are_an_array_of_tables():
+    one = FITTED[: FITTED.rindex("[[appendages]]")].replace("[[appendages]]", "[appendages]")
+    with pytest.raises(InputError, match=r"appendages must be .* use double brackets"):
+        design_from_toml(one)
+
+
+def test_appendages_and_sails_come_back_equal_from_their_text():
+    made = design_from_toml(FITTED)
+    boards, foil = made.appendages
+    assert isinstance(boards, Fin)
+    assert boards.pair
+    assert boards.cant == pytest.approx(math.radians(80))
+    assert isinstance(foil, Foil)
+    assert (foil.cant, foil.lift_slope) == (0.0, 3.5)
+    assert made.sail_plan.chords == (10.0, 8.5, 2.0)
+    assert design_from_toml(design_to_toml(made)) == made
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('kind = "foil"', "", "kind must be given in"),
+        ('kind = "foil"', 'kind = "wing"', "kind of .*appendages.* must be one of foil, fin"),
+        ("span = 3.0", "spam = 3.0", "nearest is 'span'"),
+        ("span = 3.0", "", "span must be given in"),
+        ("lift_coefficient = 1.2", "", "lift_coefficient must be given in"),
+        ("heights = [2.0, 10.0, 30.0]", "heights = [2.0, 10.0]", "must be as many"),
+        ("pair = true", "pair = 1", "pair of daggerboards must be true or false"),
+    ],
+)
+def test_appendages_and_sails_that_are_written_wrongly_are_refused(old, new, sentence):
+    assert old in FITTED
+    with pytest.raises(InputError, match=sentence) as caught:
+        design_from_toml(FITTED.replace(old, new))
+    assert str(caught.value).count("\n") == 0

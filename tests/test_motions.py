@@ -1,8 +1,14 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from workbench.conventions import GRAVITY, wavenumber
-from workbench.design import MassProperties
+from workbench.conventions import GRAVITY, MODES, wavenumber
+from workbench.damping.additions import additions
+from workbench.damping.normal_flow import force_set
+from workbench.damping.sail_damping import sail_damping
+from workbench.design import Foil, MassProperties
+from workbench.errors import InputError
 from workbench.geometry.hydrostatics import stiffness_matrix
 from workbench.geometry.panels import lid_panels, panels
 from workbench.geometry.wet_deck import wet_deck_grid
@@ -15,10 +21,12 @@ from workbench.motions import (
     mass_matrix,
     motions,
     motions_at,
+    roll_damping,
     translation_matrix,
     velocity,
 )
 from workbench.relative_motion import material_velocity, relative_motion
+from workbench.sails import TrueWind, tapered_sail_plan
 
 LONG = np.array([0.12, 0.2])
 DIRECTIONS = np.radians([180.0, 135.0, 90.0, 0.0])
@@ -144,8 +152,6 @@ def test_mass_matrix_is_the_repaired_one(twin):
 
 def test_roll_damping_of_a_ratio_halves_resonance_as_an_oscillator(twin, solved):
     """At roll resonance in beam seas, damping is the radiated plus 2 ratio sqrt(I C)."""
-    from workbench.motions import roll_damping
-
     damped = MassProperties(**{**twin.masses.as_dict(), "roll_damping_ratio": 0.1})
     stiffness = stiffness_matrix(twin.hull, damped, 1025.0)
     added = np.zeros((6, 6))
@@ -174,3 +180,110 @@ def test_natural_frequency_of_heave_is_where_the_response_turns(twin, solved):
     stiffness = stiffness_matrix(twin.hull, twin.masses, 1025.0)[2, 2]
     natural = np.sqrt(stiffness / (twin.masses.mass + added))
     assert 0.5 * np.sqrt(GRAVITY / 2.0) < natural < np.sqrt(GRAVITY / 1.0)
+
+
+def coefficients(solved, speed=0.0, omega=(0.6, 0.9, 1.2), directions=DIRECTIONS[1:3]):
+    return hydrodynamics([RadiatingBody(solved)], np.array(omega), directions, speed, 1025.0)
+
+
+AWRY = {"centre_of_gravity": (1.0, 0.5, 2.0)}
+
+
+def test_locked_modes_are_still_at_the_centre_of_gravity(twin, solved):
+    """Exactly zero there, and the others move as by the equations without their rows and columns."""
+    masses = MassProperties(**{**twin.masses.as_dict(), **AWRY})
+    stiffness = stiffness_matrix(twin.hull, masses, 1025.0)
+    found = motions(coefficients(solved), masses, stiffness, locked=("heave", "roll", "surge"))
+    rao = found.motion_rao.values
+    assert not rao[..., [0, 2, 3]].any()
+    to_origin = np.linalg.inv(translation_matrix(masses.centre_of_gravity))
+    given = coefficients(solved)
+    for i, j in np.ndindex(3, 2):
+        met = float(given.encounter_frequency[i, j])
+        damping = given.radiation_damping.values[i, j] + roll_damping(
+            masses, stiffness, given.added_mass.values[i, j]
+        )
+        system = -(met**2) * (mass_matrix(masses) + given.added_mass.values[i, j]) - 1j * met * damping
+        about_centre = to_origin.T @ (system + stiffness) @ to_origin
+        force = to_origin.T @ given.excitation_force.values[i, j]
+        free = [1, 4, 5]
+        expected = np.linalg.solve(about_centre[np.ix_(free, free)], force[free])
+        np.testing.assert_allclose(rao[i, j, free], expected, rtol=1e-9)
+    assert found.attrs["locked"] == "surge, heave, roll"
+    assert "Surge and heave and roll held at zero" in found.attrs["warnings"]
+
+
+@pytest.mark.parametrize(
+    ("locked", "sentence"),
+    [
+        (("rol",), "locked mode must be one of"),
+        ("roll", "locked must be a list"),
+        (MODES, "leave one mode free"),
+    ],
+)
+def test_modes_that_cannot_be_locked_are_refused(twin, solved, locked, sentence):
+    stiffness = stiffness_matrix(twin.hull, twin.masses, 1025.0)
+    with pytest.raises(InputError, match=sentence):
+        motions(coefficients(solved), twin.masses, stiffness, locked=locked)
+
+
+def test_additions_enter_as_their_names_say(twin, solved):
+    """As a change of the coefficients does, whether they depend on the waves or not."""
+    stiffness = stiffness_matrix(twin.hull, twin.masses, 1025.0)
+    given = coefficients(solved)
+    size = given.added_mass.shape
+    random = np.random.default_rng(7)
+    scale = np.abs(given.added_mass.values).max()
+    added, springs = scale * random.normal(size=(6, 6)), scale * random.normal(size=(6, 6))
+    damping = scale * random.normal(size=size)
+    force = scale * random.normal(size=size[:3]).astype(complex)
+    waves = given.omega, given.wave_direction
+    parts = (
+        force_set(*waves, method="a", warnings=["A sentence."], added_mass=added, stiffness=springs),
+        force_set(*waves, method="b", damping=damping / 2, excitation_force=force),
+        force_set(*waves, method="c", damping=damping / 2),
+    )
+    found = motions(given, twin.masses, stiffness, additions=parts)
+    changed = given.copy(deep=True)
+    changed["radiation_damping"] += damping
+    changed["excitation_force"] += force
+    met = given.encounter_frequency.values[..., None, None]
+    # a constant stiffness less omega_e**2 A, given as damping of the same force
+    changed["radiation_damping"] = (
+        changed.radiation_damping.dims,
+        changed.radiation_damping.values + 1j * (springs - met**2 * added) / met,
+    )
+    expected = motions(changed, twin.masses, stiffness)
+    np.testing.assert_allclose(found.motion_rao, expected.motion_rao, rtol=1e-8)
+    assert "A sentence." in found.attrs["warnings"]
+
+
+def test_additions_for_other_waves_are_refused(twin, solved):
+    stiffness = stiffness_matrix(twin.hull, twin.masses, 1025.0)
+    other = force_set([0.5], DIRECTIONS[1:3], method="sails", damping=np.zeros((1, 2, 6, 6)))
+    with pytest.raises(InputError, match="damping of sails must be for the waves"):
+        motions(coefficients(solved), twin.masses, stiffness, additions=(other,))
+
+
+def test_sails_and_foils_of_a_design_are_gathered_and_damp(twin, solved):
+    given = coefficients(solved, speed=3.0)
+    plan = tapered_sail_plan(12.0, 2.0, 3.0, 40.0, 1.2)
+    foil = Foil(name="T-foil", area=6.0, span=4.0, position=(15.0, 0.0, -3.0))
+    design = replace(twin, sail_plan=plan, appendages=(foil,))
+    wind = TrueWind(speed=8.0, direction=np.radians(135.0))
+    parts = additions(design, given, wind=wind)
+    assert [one.attrs["method"] for one in parts] == ["lifting surfaces", "sails"]
+    assert additions(twin, given) == ()
+    stiffness = stiffness_matrix(twin.hull, twin.masses, 1025.0)
+    bare = motions(given, twin.masses, stiffness)
+    sails = (sail_damping(plan, wind, 3.0, given.omega, given.wave_direction),)
+    sailing = motions(given, twin.masses, stiffness, additions=sails)
+    beam = {"wave_direction": 1, "dof": 3}
+    assert float(np.abs(sailing.motion_rao.isel(beam)).max()) < float(
+        np.abs(bare.motion_rao.isel(beam)).max()
+    )
+    foiled = motions(given, twin.masses, stiffness, additions=parts[:1])
+    pitch = {"wave_direction": 0, "dof": 4}
+    assert float(np.abs(foiled.motion_rao.isel(pitch)).max()) < float(
+        np.abs(bare.motion_rao.isel(pitch)).max()
+    )

@@ -197,7 +197,8 @@ def sail_damping(
         omega, directions, method="sails", damping=damping,
         warnings=_warnings(settings, along, across),
         attrs={
-            "speed": speed, "wind_speed": wind.speed, **{k: str(v) for k, v in settings.as_dict().items()},
+            "speed": speed, "wind_speed": wind.speed,
+            **{f"sail_{name}": str(value) for name, value in settings.as_dict().items()},
         },
     )  # fmt: skip
 
