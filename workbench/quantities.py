@@ -37,6 +37,7 @@ TABLE: dict[str, Quantity] = {
     "component": Quantity("1", "wave component number", "$j$"),
     "event": Quantity("1", "slam number", "$i$"),
     "velocity_class": Quantity("1", "class of entry velocity squared", "$i$"),
+    "point": Quantity("1", "point number", "$i$"),
     "dof": Quantity("1", "mode of motion", "$j$"),
     "radiating_dof": Quantity("1", "mode that moves", "$k$"),
     "influenced_dof": Quantity("1", "mode that feels", "$j$"),
@@ -115,6 +116,10 @@ TABLE: dict[str, Quantity] = {
     "counted_band_high": Quantity("1/h", "upper end of the sampling band", "$N_+$"),
     # time histories and events
     "motion": Quantity("m, rad", "motion", r"$\xi_j$"),
+    "linear_motion": Quantity("m, rad", "motion by linear forces", r"$\xi_j$"),
+    "point_x": Quantity("m", "distance of the point forward of amidships", "$x$"),
+    "point_y": Quantity("m", "distance of the point to port of the centreline", "$y$"),
+    "slam_count": Quantity("1", "number of slams", "$n$"),
     "elevation": Quantity("m", "wave elevation", r"$\zeta$"),
     "relative_motion_history": Quantity("m", "relative motion", "$r$"),
     "clearance_left": Quantity("m", "clearance left", "$d - r$"),
