@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from workbench.conventions import GRAVITY
 from workbench.damping.cross_flow import LINEARISED, CrossFlow, cross_flow
 from workbench.damping.roll import friction_damping, hull_roll_damping, lift_damping
 from workbench.design import Hull, MassProperties
@@ -13,7 +14,7 @@ from workbench.errors import InputError
 from workbench.geometry.hydrostatics import hydrostatics
 from workbench.hydrodynamics.coefficients import coefficient_set
 from workbench.motions import motions
-from workbench.shapes import Wigley
+from workbench.shapes import RoundBilge, Wigley
 
 MASSES = MassProperties(
     mass=100.0, centre_of_gravity=(0, 0, 0), roll_gyradius=1.0, pitch_gyradius=2.0, yaw_gyradius=2.0
@@ -22,13 +23,13 @@ RHO = 1025.0
 SHAPE = Wigley(length=20.0, beam=2.0, draught=1.0, depth=2.0)
 
 
-def oscillator(omega=(1.0, 1.4, 2.0), directions=(np.pi,)):
+def oscillator(omega=(1.0, 1.4, 2.0), directions=(np.pi,), speed=0.0):
     """A ship of mass 100 kg with added mass 50 kg, damping 10 kg/s and force 40 N/m in each mode."""
     omega, directions = np.array(omega), np.array(directions)
     size = (len(omega), len(directions))
     diagonal = np.broadcast_to(np.eye(6), (*size, 6, 6))
     return coefficient_set(
-        omega, directions, 0.0, RHO, added_mass=50.0 * diagonal, radiation_damping=10.0 * diagonal,
+        omega, directions, speed, RHO, added_mass=50.0 * diagonal, radiation_damping=10.0 * diagonal,
         froude_krylov_force=np.full((*size, 6), 40.0 + 0j), diffraction_force=np.zeros((*size, 6)),
         solver="none",
     )  # fmt: skip
@@ -75,6 +76,25 @@ def test_linearised_drag_agrees_with_the_square_in_time():
     assert abs(heave) < 0.5 * abs(linear.motion_rao.values[1, 0, 2])
 
 
+def test_drag_is_that_of_the_flow_across_the_hull_at_speed():
+    """Residual of the equations of heave and pitch, with the flow across one piece written out."""
+    x, z, strength, speed, amplitude = 3.0, -0.5, 80.0, 4.0, 1.5
+    piece = CrossFlow(np.array([[x, 0.0, z]]), np.array([[0.0, 0.0, 1.0]]), np.array([strength]))
+    beta = np.radians(150.0)
+    ship = oscillator([1.0, 1.4], [beta], speed)
+    found = motions(ship, MASSES, 300.0 * np.eye(6), cross_flow=piece, wave_amplitude=amplitude)
+    for i, omega in enumerate((1.0, 1.4)):
+        k = omega**2 / GRAVITY
+        met = omega - k * speed * np.cos(beta)
+        heave, pitch = found.motion_rao.values[i, 0, [2, 4]]
+        water = -1j * omega * np.exp(k * z + 1j * k * x * np.cos(beta))
+        across = -1j * met * (heave - x * pitch) + speed * pitch - water
+        drag = -8 / (3 * np.pi) * strength * amplitude * np.abs(across) * across
+        spring = 300.0 - 10j * met
+        assert (spring - met**2 * 150.0) * heave == pytest.approx(40.0 + drag, rel=1e-5)
+        assert (spring - met**2 * (50.0 + 400.0)) * pitch == pytest.approx(40.0 - x * drag, rel=1e-5)
+
+
 def test_small_waves_have_no_drag():
     plain = motions(oscillator(), MASSES, 300.0 * np.eye(6))
     small = motions(oscillator(), MASSES, 300.0 * np.eye(6), cross_flow=DEEP, wave_amplitude=1e-6)
@@ -107,6 +127,16 @@ def test_pieces_cover_the_waterplane_and_the_centre_plane():
     assert pieces.strengths[~flat].sum() == pytest.approx(0.5 * RHO * 0.5 * 2 * 20.0 * 1.0, rel=0.02)
     assert set(np.round(np.abs(pieces.points[:, 1]), 6)) == {4.0}
     assert len(cross_flow(hull, RHO, 0.0).strengths) == 0
+
+
+def test_pieces_reach_to_the_transom():
+    shape = RoundBilge(
+        length=40.0, beam=4.0, draught=2.0, depth=4.0, block_coefficient=0.5, lcb=-0.078, transom_ratio=0.9,
+        deadrise_angle=0.2, entrance_angle=0.2,
+    )  # fmt: skip
+    pieces = cross_flow(Hull(shape=shape), RHO, 1.0, stations=21)
+    area = float(hydrostatics(Hull(shape=shape), RHO).waterplane_area)
+    assert pieces.strengths.sum() == pytest.approx(0.5 * RHO * area, rel=3e-3)
 
 
 def test_a_flying_hull_has_no_drag():
@@ -148,5 +178,8 @@ def test_roll_of_a_single_hull_is_damped_and_hulls_side_by_side_are_refused():
     values = found.damping.values
     assert (values[..., 3, 3] > lift_damping(20, 2, 1, 0.67, 0.0, 5.0, RHO)).all()
     assert np.count_nonzero(values) == 4
+    high = replace(MASSES, centre_of_gravity=(0.0, 0.0, 2.0))
+    above = hull_roll_damping(Hull(shape=SHAPE), high, RHO, 5.0, [0.5, 1.0], [np.pi, np.pi / 2])
+    assert (above.damping.values[..., 3, 3] > 2 * values[..., 3, 3]).all()
     with pytest.raises(InputError, match="need a single hull, got 2"):
         hull_roll_damping(Hull(shape=SHAPE, count=2, spacing=8.0), MASSES, RHO, 5.0, [0.5], [np.pi])
