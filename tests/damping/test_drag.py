@@ -178,8 +178,12 @@ def test_roll_of_a_single_hull_is_damped_and_hulls_side_by_side_are_refused():
     values = found.damping.values
     assert (values[..., 3, 3] > lift_damping(20, 2, 1, 0.67, 0.0, 5.0, RHO)).all()
     assert np.count_nonzero(values) == 4
-    high = replace(MASSES, centre_of_gravity=(0.0, 0.0, 2.0))
-    above = hull_roll_damping(Hull(shape=SHAPE), high, RHO, 5.0, [0.5, 1.0], [np.pi, np.pi / 2])
-    assert (above.damping.values[..., 3, 3] > 2 * values[..., 3, 3]).all()
+    above, below = (
+        hull_roll_damping(
+            Hull(shape=SHAPE), replace(MASSES, centre_of_gravity=(0.0, 0.0, z)), RHO, 5.0, [0.5], [3.1]
+        )
+        for z in (0.5, -0.5)
+    )
+    assert (above.damping.values[..., 3, 3] > 2 * below.damping.values[..., 3, 3]).all()
     with pytest.raises(InputError, match="need a single hull, got 2"):
         hull_roll_damping(Hull(shape=SHAPE, count=2, spacing=8.0), MASSES, RHO, 5.0, [0.5], [np.pi])
