@@ -11,10 +11,22 @@ from workbench import quantities
 from workbench.errors import InputError
 
 
-def zero_upcrossings(time, values) -> np.ndarray:
-    """Times at which a record rises through its zero, between samples by a line (crossing) [s]."""
+def zero_upcrossings(time, values, least: float = 0.0) -> np.ndarray:
+    """Times at which a record rises through its zero, between samples by a line (crossing) [s].
+
+    Parameters
+    ----------
+    time : [s]; values : (time).
+    least : depth and height that the record must reach before and after a crossing for it
+        to count, against noise; in the unit of the record.
+    """
     time, values = np.asarray(time, float), np.asarray(values, float)
     before = np.flatnonzero((values[:-1] < 0) & (values[1:] >= 0))
+    if least > 0:
+        beyond = np.flatnonzero(np.abs(values) > least)
+        turned = np.flatnonzero((values[beyond[:-1]] < 0) & (values[beyond[1:]] > 0))
+        first = np.searchsorted(before, beyond[turned])
+        before = before[first[first < len(before)]]
     share = values[before] / (values[before] - values[before + 1])
     return time[before] + share * (time[before + 1] - time[before])
 

@@ -55,10 +55,15 @@ def decimated(record_set: xr.Dataset, rate: float) -> xr.Dataset:
     """
     step = float(record_set.attrs["time_step"])
     checked_number(
-        "sampling rate", rate, "Hz", above=0, at_most=1 / step, cure="a record can only be thinned out"
+        "sampling rate",
+        rate,
+        "Hz",
+        above=0,
+        at_most=(1 + 1e-6) / step,
+        cure="a record can only be thinned out",
     )
     every = 1 / (rate * step)
-    if every < 1 + 1e-9:
+    if every < 1 + 1e-6:
         return record_set
     smooth = low_passed(record_set.measured.values, step, PASSED_SHARE * np.pi * rate)
     time = record_set.time.values

@@ -5,6 +5,7 @@ A record is a Dataset: ``measured`` (time, channel) in the SI unit that
 """
 
 import csv
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +15,7 @@ import xarray as xr
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from workbench import quantities
-from workbench.errors import InputError, checked_number
+from workbench.errors import InputError, checked_choice, checked_number
 from workbench.records.units import si_unit, split_label
 
 EVENNESS = 0.05
@@ -86,15 +87,18 @@ def record(
 
 def channel(record_set: xr.Dataset, name: str) -> np.ndarray:
     """Samples of one channel (time), in its SI unit."""
-    names = [str(one) for one in record_set.channel.values]
-    if name not in names:
-        raise InputError(f"channel must be one of {', '.join(names)}, got {name!r}.")
-    return record_set.measured.values[:, names.index(name)]
+    return record_set.measured.values[:, _place(record_set, name)]
 
 
 def channel_unit(record_set: xr.Dataset, name: str) -> str:
     """SI unit of one channel."""
-    return str(record_set.channel_unit.sel(channel=name).item())
+    return str(record_set.channel_unit.values[_place(record_set, name)])
+
+
+def _place(record_set: xr.Dataset, name: str) -> int:
+    """Number of a channel by its name."""
+    names = [str(one) for one in record_set.channel.values]
+    return names.index(checked_choice("channel", name, names))
 
 
 def read_record(path: Path, settings: ReadingSettings | None = None) -> xr.Dataset:
@@ -174,7 +178,7 @@ def _separator(line: str) -> str | None:
 
 def _cells(line: str, separator: str | None) -> list[str]:
     if separator is None:
-        return line.split()
+        return re.split(r"\s+(?![\s\[(])", line.strip())
     return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
 
 

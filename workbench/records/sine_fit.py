@@ -16,6 +16,8 @@ from scipy.signal import detrend
 from workbench.errors import InputError, checked_number
 from workbench.records.crossings import zero_upcrossings
 
+_DEADBAND = 0.4
+
 FEWEST_PERIODS = 3.0
 """Periods that a record must hold to be fitted with a frequency of its own."""
 
@@ -85,7 +87,7 @@ def sine_fit(time, values, omega: float | None = None, *, line: bool = True) -> 
     flat = detrend(values, type="linear") if line and _is_even(time) else values
     if line and not _is_even(time):
         flat = values - np.polyval(np.polyfit(time, values, 1), time)
-    if not np.any(flat):
+    if np.ptp(flat) <= 1e-12 * np.abs(values).max():
         raise InputError("a sine is fitted to a record that changes; this one is constant.")
     middle = (time[0] + time[-1]) / 2
     centred, length = time - middle, time[-1] - time[0]
@@ -141,7 +143,7 @@ def _misfit(omega: float, time: np.ndarray, values: np.ndarray) -> float:
 
 def _frequency(time: np.ndarray, values: np.ndarray, length: float) -> float:
     """Frequency at which `frequency_condition` vanishes, near that of the zero-crossings."""
-    crossings = zero_upcrossings(time, values)
+    crossings = zero_upcrossings(time, values, _DEADBAND * float(np.std(values)))
     if len(crossings) < 2:
         raise InputError(
             f"record must hold at least {FEWEST_PERIODS:g} periods to find the frequency of its sine; "

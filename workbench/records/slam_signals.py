@@ -17,15 +17,19 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 from scipy import signal
+from scipy.optimize import least_squares
 
 from workbench import quantities
 from workbench.errors import InputError, checked_number
 from workbench.records.filters import high_passed
 
+LEAST_SHARE = 0.25
+"""Share of a slam that a weaker one within its ringing must have to count as another [-]."""
+
 NORMAL_DEVIATION = 1.4826
 """Standard deviation of a normal variable over its median absolute deviation [-]."""
 
-LEAST_STRENGTH = 6.0
+LEAST_STRENGTH = 5.0
 """Usual threshold of the matched filter, in deviations of its output between slams [-]."""
 
 
@@ -89,30 +93,38 @@ def ring_down(acceleration, time_step: float, quickest: float) -> RingDown:
     Notes
     -----
     The autocorrelation of a ring-down is a cosine that decays like it, whenever the blows
-    fall. Frequency: the strongest line of the spectrum of that cosine, refined by the
-    fit; damping: the decay of its first eight peaks. The first half period is left
-    out, where noise sits.
+    fall. It is found by the strongest line of its spectrum and fitted over the lags of
+    half a period to four and a half; the first half period is left out, where noise sits.
     """
     fast = high_passed(acceleration, time_step, quickest)
     size = 2 ** int(np.ceil(np.log2(2 * len(fast))))
-    correlation = np.fft.irfft(np.abs(np.fft.rfft(fast, size)) ** 2, size)
+    power = np.abs(np.fft.rfft(fast, size)) ** 2
+    correlation = np.fft.irfft(power, size)
     reach = min(len(fast) // 2, int(40 * np.pi / (quickest * time_step)))
+    lag = time_step * np.arange(reach)
     correlation = correlation[:reach] / correlation[0]
-    tapered = correlation * np.hanning(2 * reach)[reach:]
-    lines = np.abs(np.fft.rfft(tapered, 16 * reach))
+    lines = np.abs(np.fft.rfft(correlation * np.hanning(2 * reach)[reach:], 16 * reach))
     omega = 2 * np.pi * np.fft.rfftfreq(16 * reach, time_step)
-    allowed = np.where(omega > quickest, lines, 0.0)
-    first = float(omega[int(np.argmax(allowed))])
-    half = max(int(np.pi / first / time_step), 2)
-    peaks, _ = signal.find_peaks(np.abs(correlation), distance=max(int(0.7 * half), 1))
-    peaks = peaks[peaks >= half // 2][:8]
-    if len(peaks) < 4:
+    first = float(omega[int(np.argmax(np.where(omega > quickest, lines, 0.0)))])
+    used = (lag >= np.pi / first) & (lag <= 9 * np.pi / first)
+    if used.sum() < 12:
+        raise InputError("acceleration must be sampled faster, or longer, to find the ringing in it.")
+
+    def misfit(parameters):
+        ratio, frequency = parameters
+        decay = np.exp(-ratio * frequency * first * lag[used])
+        shapes = np.stack(
+            [decay * np.cos(frequency * first * lag[used]), decay * np.sin(frequency * first * lag[used])]
+        )
+        weights = np.linalg.lstsq(shapes.T, correlation[used], rcond=None)[0]
+        return weights @ shapes - correlation[used]
+
+    found = least_squares(misfit, (0.05, 1.0), bounds=((0.002, 0.8), (0.5, 1.2)))
+    ratio, frequency = found.x
+    left = float(np.sum(found.fun**2) / np.sum(correlation[used] ** 2))
+    if left > 0.5:
         raise InputError("no ringing is found in the acceleration; give its frequency and damping ratio.")
-    height, place = np.abs(correlation[peaks]), peaks * time_step
-    decay = -np.polyfit(place, np.log(np.maximum(height, 1e-12)), 1, w=height)[0]
-    found = np.pi * (len(peaks) - 1) / (place[-1] - place[0])
-    found = float(found) if abs(found / first - 1) < 0.2 else first
-    return RingDown(omega=found, damping_ratio=float(np.clip(decay / found, 0.005, 0.5)))
+    return RingDown(omega=float(frequency * first), damping_ratio=float(ratio))
 
 
 def matched_slams(
@@ -141,7 +153,8 @@ def matched_slams(
     Notes
     -----
     In white noise no linear filter finds known signals better ([Turin1960]_): the
-    threshold sees the peak alone, the filter the energy of all swings.
+    threshold sees the peak alone, the filter the energy of all swings. The strongest slam
+    is taken out with the side lobes of its own ringing before the next is looked for.
     """
     checked_number("strength", strength, above=0)
     checked_number("dead_time", dead_time, "s", at_least=0)
@@ -156,16 +169,40 @@ def matched_slams(
     deviation = NORMAL_DEVIATION * float(np.median(np.abs(found)))
     if deviation <= 0:
         raise InputError("acceleration must not be constant to look for slams in it.")
-    peaks = _peaks(np.abs(found), strength * deviation, dead_time, time_step)
+    peaks, heights = _pursued(found, template, strength * deviation, round(dead_time / time_step))
     size = np.linalg.norm(ringing.signal(np.arange(len(template)) * time_step))
-    amplitude = found[peaks] / size
     return _events(
         peaks * time_step,
-        amplitude,
-        np.abs(found[peaks]) / deviation,
+        heights / size,
+        np.abs(heights) / deviation,
         "matched filter",
         len(fast) * time_step,
     )
+
+
+def _pursued(
+    output: np.ndarray, template: np.ndarray, threshold: float, dead: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Peaks of a filter's output, strongest first, each taken out with its side lobes; in order of time."""
+    lobes = np.correlate(template, template, mode="full")
+    reach = len(template) - 1
+    left = np.concatenate([np.zeros(reach), output, np.zeros(reach)])
+    least = np.full(len(output), threshold)
+    found: list[tuple[int, float]] = []
+    while True:
+        over = np.abs(left[reach : reach + len(output)]) - least
+        place = int(np.argmax(over))
+        if over[place] <= 0:
+            break
+        height = float(left[place + reach])
+        left[place : place + 2 * reach + 1] -= height * lobes
+        near = slice(max(place - dead, 0), place + dead + 1)
+        ringing = slice(max(place - reach, 0), place + reach + 1)
+        least[ringing] = np.maximum(least[ringing], LEAST_SHARE * abs(height))
+        least[near] = np.inf
+        found.append((place, height))
+    found.sort()
+    return np.array([place for place, _ in found], int), np.array([height for _, height in found])
 
 
 def _peaks(values: np.ndarray, threshold: float, dead_time: float, time_step: float) -> np.ndarray:
