@@ -33,8 +33,8 @@ from workbench.simulation.incident_pressure import HullInWaves
 from workbench.simulation.retardation import RadiationOperator
 from workbench.time_domain import record_blocks
 
-FREE = slice(2, 5)
-"""Heave, roll and pitch among the six modes."""
+DEPARTING = ("heave", "roll", "pitch")
+"""Modes that depart from the linear solution."""
 
 LARGEST_ROLL, LARGEST_PITCH = np.radians(60.0), np.radians(40.0)
 """Beyond these a ship is taken to be lost [rad]."""
@@ -44,14 +44,16 @@ BLOCK = 1024
 
 @dataclass(frozen=True, eq=False)
 class DepartureEquation:
-    """The linear left side of the equation for the departure of heave, roll and pitch.
+    """The linear left side of the equation for the departure of n modes.
 
     Parameters
     ----------
-    mass, stiffness : (3, 3) about the centre of gravity, hydrostatic stiffness.
-    radiation : operator of heave, roll and pitch about the centre of gravity.
+    modes : numbers of those modes, among heave, roll and pitch.
+    mass, stiffness : (n, n) about the centre of gravity, hydrostatic stiffness.
+    radiation : operator of these modes about the centre of gravity.
     """
 
+    modes: tuple[int, ...]
     mass: np.ndarray
     stiffness: np.ndarray
     radiation: RadiationOperator
@@ -62,12 +64,12 @@ def departures(
     force: Callable[[int, np.ndarray], np.ndarray],
     steps: int,
 ) -> np.ndarray:
-    """Departure y at every step, (steps, 3), from rest.
+    """Departure y at every step, (steps, n), from rest.
 
     Parameters
     ----------
     equation : left side; its radiation operator sets the time step.
-    force : right side at a step for a departure there, (step, y) -> (3,).
+    force : right side at a step for a departure there, (step, y) -> (n,).
 
     Notes
     -----
@@ -80,7 +82,9 @@ def departures(
     size, memory = len(equation.mass), len(operator.kernel) - 1
     stiffness = equation.stiffness + operator.stiffness
     damping = operator.damping + operator.kernel[0] * step / 2
-    kernel = np.ascontiguousarray(np.moveaxis(operator.kernel[:0:-1], 1, 2)).reshape(memory * size, size) * step
+    kernel = (
+        np.ascontiguousarray(np.moveaxis(operator.kernel[:0:-1], 1, 2)).reshape(memory * size, size) * step
+    )
     inverse = np.linalg.inv(
         equation.mass + operator.added_mass + step / 2 * damping + step**2 / 4 * stiffness
     )
@@ -141,6 +145,7 @@ def simulated_motion(
     total = lead_in + steps
     blocks = record_blocks(shared, frequency, (total - 1) * step, step, block=BLOCK)
     linear, motion = np.zeros((total, 6)), np.zeros((total, 6))
+    modes = list(equation.modes)
     state: dict = {"start": 0, "rows": np.zeros((0, shared.shape[1]))}
 
     def row(i: int) -> np.ndarray:
@@ -154,17 +159,17 @@ def simulated_motion(
         here = row(i)
         linear[i] = pose = here[:6].astype(float)
         pose = pose.copy()
-        pose[FREE] += y
+        pose[modes] += y
         _check_afloat(pose, (i - lead_in) * step)
         whole = ship.force(pose, here[12:])
         if whole[2] <= 0:
             raise InputError(_lost("leaves the water", (i - lead_in) * step))
         growth = min(1.0, 2 * i / max(lead_in, 1))
-        return growth * (whole - still - here[6:12] + stiffness @ pose)[FREE]
+        return growth * (whole - still - here[6:12] + stiffness @ pose)[modes]
 
     found = departures(equation, force, total)
     motion[:] = linear
-    motion[:, FREE] += found
+    motion[:, modes] += found
     progress(1.0, "motions simulated")
     return SimulatedMotion(linear[lead_in:], motion[lead_in:])
 

@@ -9,7 +9,13 @@ import numpy as np
 from workbench.design import Hull
 from workbench.errors import InputError, checked_number
 from workbench.geometry.faceted import grid_faces
-from workbench.geometry.lines import FloatingHull, floating_hull, hull_shape, station_positions, upright_position
+from workbench.geometry.lines import (
+    FloatingHull,
+    floating_hull,
+    hull_shape,
+    station_positions,
+    upright_position,
+)
 from workbench.geometry.mesh import is_wet, placed_vertices
 from workbench.hulls.lines import evenly_spaced, girth
 from workbench.shapes import PanelMesh

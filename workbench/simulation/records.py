@@ -14,7 +14,7 @@ from workbench.geometry.hydrostatics import stiffness_matrix
 from workbench.geometry.wet_deck import wet_deck_height
 from workbench.motions import mass_matrix, roll_damping, translation_matrix
 from workbench.relative_motion import relative_motion
-from workbench.simulation.cummins import FREE, DepartureEquation, simulated_motion
+from workbench.simulation.cummins import DEPARTING, DepartureEquation, simulated_motion
 from workbench.simulation.hull_grid import hull_surface
 from workbench.simulation.incident_pressure import HullInWaves
 from workbench.simulation.retardation import MEMORY, radiation_forces, stable_operator
@@ -45,12 +45,14 @@ class ShipInWaves:
         of the radiation forces over frequency (beam and head seas are enough).
     motions : linear motions that follow from them.
     wave_field : scattered waves under the deck, or None.
+    additions : forces beside those of the hulls that the motions contain, as for `workbench.motions.motions`.
     """
 
     design: Design
     hydrodynamics: xr.Dataset
     motions: xr.Dataset
     wave_field: xr.Dataset | None = None
+    additions: tuple[xr.Dataset, ...] = ()
 
 
 def simulation(
@@ -126,7 +128,11 @@ def simulation(
             "slam_count": ("point", _entries(water, height)),
         }
     return quantities.dataset(
-        {"time": times, "dof": list(MODES), **({"point": np.arange(1, len(places) + 1)} if len(places) else {})},
+        {
+            "time": times,
+            "dof": list(MODES),
+            **({"point": np.arange(1, len(places) + 1)} if len(places) else {}),
+        },
         method=f"{forces} simulation on {ship.motions.attrs['method']}",
         warnings=[*quantities.warnings_of(ship.motions), *_steepness_notes(components)],
         attrs={
@@ -137,7 +143,8 @@ def simulation(
             "centre_of_gravity": [float(value) for value in centre],
             "density": float(ship.design.density),
             "time_step": float(time_step),
-            "significant_wave_height": 4 * float(np.sqrt(np.sum(components.component_amplitude.values**2) / 2)),
+            "significant_wave_height": 4
+            * float(np.sqrt(np.sum(components.component_amplitude.values**2) / 2)),
         },
         motion=(("time", "dof"), motion),
         elevation=("time", elevation),
@@ -152,14 +159,21 @@ def departure_equation(ship: ShipInWaves, time_step: float) -> DepartureEquation
     ------
     InputError where the time step is too coarse for the natural periods.
     """
-    design = ship.design
+    design, hydrodynamics = ship.design, ship.hydrodynamics
     stiffness = stiffness_matrix(design.hull, design.masses, design.density)
-    viscous = roll_damping(design.masses, stiffness, ship.hydrodynamics.added_mass.values)
-    omega, force = radiation_forces(ship.hydrodynamics, viscous)
-    back = np.linalg.inv(translation_matrix(design.masses.centre_of_gravity))
+    viscous = roll_damping(design.masses, stiffness, hydrodynamics.added_mass.values)
+    omega, force = radiation_forces(hydrodynamics, viscous, ship.additions)
+    locked = str(ship.motions.attrs.get("locked", "")).split(", ")
+    modes = tuple(MODES.index(mode) for mode in DEPARTING if mode not in locked)
+    if not modes:
+        raise InputError(
+            "a non-linear simulation needs heave, roll or pitch free, all three are locked; free one, or choose the "
+            "linear simulation."
+        )
+    back = np.linalg.inv(translation_matrix(design.masses.centre_of_gravity))[:, modes]
 
     def about_centre(matrix):
-        return (back.T @ matrix @ back)[..., FREE, FREE]
+        return back.T @ matrix @ back
 
     mass, restoring = about_centre(mass_matrix(design.masses)), about_centre(stiffness)
     fastest = float(np.sqrt(np.max(np.diag(restoring) / np.diag(mass))))
@@ -169,11 +183,11 @@ def departure_equation(ship: ShipInWaves, time_step: float) -> DepartureEquation
             f"time_step must be <= {longest:.3g} s to follow the motions of this ship, got {time_step:g} s; leave it "
             "out, or take a shorter one."
         )
-    speed = float(ship.motions.attrs["speed"])
+    plain = ship.motions.attrs["speed"] == 0 and not ship.additions
     operator = stable_operator(
-        omega, about_centre(force), design.hull.length, time_step, speed == 0, mass, restoring
+        omega, about_centre(force), design.hull.length, time_step, plain, mass, restoring
     )
-    return DepartureEquation(mass, restoring, operator)
+    return DepartureEquation(modes, mass, restoring, operator)
 
 
 def _non_linear_motion(ship, components, own, count, time_step, panels, progress) -> np.ndarray:

@@ -16,6 +16,7 @@ damping; the kernel begins at t = 0, so that what is found is causal.
     ship motions", 5th Symp. on Naval Hydrodynamics, Bergen, 1964.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,20 +70,29 @@ def _transform(omega: np.ndarray, count: int, time_step: float) -> np.ndarray:
     return factors
 
 
-def radiation_forces(hydrodynamics: xr.Dataset, extra_damping: np.ndarray | float = 0.0):
-    """Encounter frequencies (n,) and radiation force per unit motion (n, 6, 6) of a coefficient set.
+def radiation_forces(
+    hydrodynamics: xr.Dataset, extra_damping: np.ndarray | float = 0.0, additions: Sequence[xr.Dataset] = ()
+) -> tuple[np.ndarray, np.ndarray]:
+    """Encounter frequencies (f,) and force per unit motion (f, 6, 6) of a coefficient set, about the origin.
 
     Each frequency once, in rising order, from all headings.
 
     Parameters
     ----------
-    hydrodynamics : from any method, about the origin.
+    hydrodynamics : from any method.
     extra_damping : (omega, wave_direction, 6, 6), added to the radiation damping.
+    additions : Datasets with any of ``added_mass``, ``damping`` and ``stiffness``, for the same waves
+        where they depend on them.
     """
     encounter = hydrodynamics.encounter_frequency.values
     along = encounter[..., None, None]
-    damping = hydrodynamics.radiation_damping.values + extra_damping
-    force = along**2 * hydrodynamics.added_mass.values + 1j * along * damping
+    force = along**2 * hydrodynamics.added_mass.values
+    force = force + 1j * along * (hydrodynamics.radiation_damping.values + extra_damping)
+    for one in additions:
+        for name, factor in (("added_mass", along**2), ("damping", 1j * along), ("stiffness", -1.0)):
+            if name in one:
+                part, _ = xr.broadcast(one[name], hydrodynamics.added_mass)
+                force = force + factor * part.transpose(*hydrodynamics.added_mass.dims).values
     _, first = np.unique(np.round(encounter.ravel(), 9), return_index=True)
     return encounter.ravel()[first], force.reshape(-1, 6, 6)[first]
 
@@ -98,7 +108,7 @@ def fitted_operator(
     force : (len(omega), n, n) complex, per unit motion: omega^2 A + i omega B.
     length : of the ship [m], for the time scale sqrt(L/g).
     time_step : of the simulation [s].
-    at_rest : whether the ship has no speed; then there is no constant damping or stiffness.
+    at_rest : whether the ship has no speed and no other additions; then there is no constant damping or stiffness.
 
     Notes
     -----
@@ -170,9 +180,9 @@ def unstable_motions(operator: RadiationOperator, mass: np.ndarray, stiffness: n
     top = min(np.pi / operator.time_step, 60 * float(np.sqrt(np.diag(stiffness) / np.diag(mass)).max()))
     omega = np.linspace(1e-6 * top, top, 12_000)
     norm = np.sqrt(np.diag(mass))
-    system = (
-        stiffness - omega[:, None, None] ** 2 * mass - operator.response(omega)
-    ) / np.multiply.outer(norm, norm)
+    system = (stiffness - omega[:, None, None] ** 2 * mass - operator.response(omega)) / np.multiply.outer(
+        norm, norm
+    )
     turned = np.unwrap(np.angle(np.linalg.slogdet(system)[0]))
     return round((turned[-1] - turned[0]) / np.pi + len(mass))
 
