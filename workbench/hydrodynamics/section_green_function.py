@@ -25,7 +25,7 @@ import numpy as np
 from scipy.special import exp1
 
 STEP = 0.1
-LOWEST, HIGHEST = np.log(1e-6), np.log(1e3)
+LOWEST, HIGHEST = np.log(1e-3), np.log(1e3)
 ORDER = 5
 EULER = float(np.euler_gamma)
 
@@ -67,7 +67,8 @@ def wave_integral(log_t: np.ndarray) -> np.ndarray:
         found += table[n][index]
     small, large = log_t.real < LOWEST, log_t.real > HIGHEST
     if small.any():
-        found[small] = -EULER - log_t[small]
+        t = np.exp(log_t[small])
+        found[small] = np.exp(t) * (t - t**2 / 4 + t**3 / 18 - EULER - log_t[small])
     if large.any():
         t = np.exp(np.where(large, log_t, 0.0)[large])
         found[large] = (1 - 1 / t + 2 / t**2) / t
@@ -166,16 +167,22 @@ def _wave_part(segments, charges, wavenumber, y, z) -> tuple[np.ndarray, np.ndar
     e = np.exp(k * w)
 
     along = np.asarray(segments.along())
-    per_length = charges / ((along[1] - 1j * along[0]) / np.hypot(*along))[..., None]
-    ends = np.zeros((*charges.shape[:-2], segments.y.shape[1], charges.shape[-1]), complex)
-    ends[..., segments.last, :] += per_length
-    ends[..., segments.first, :] -= per_length
+    turn = np.hypot(*along) / (along[1] - 1j * along[0])  # panel length over its step in w
+    upright, level = (_at_ends(segments, 2 * charges * part[..., None]) for part in (turn.real, turn.imag))
 
     even = np.pi * 1j * e
     even.real += f.real + log_image.real
     odd = np.pi * e
     odd.real += f.imag
     odd *= side
-    sources = even @ (2 * ends.real) - (odd - side * log_image.imag) @ (2 * ends.imag)
+    sources = even @ upright - (odd - side * log_image.imag) @ level
     normals = -2 * (odd[..., segments.last] - odd[..., segments.first])
     return -sources / k, normals
+
+
+def _at_ends(segments: Segments, values: np.ndarray) -> np.ndarray:
+    """Values of panels (..., panels, modes) at their last nodes less those at their first (..., nodes, modes)."""
+    ends = np.zeros((*values.shape[:-2], segments.y.shape[1], values.shape[-1]), values.dtype)
+    ends[..., segments.last, :] += values
+    ends[..., segments.first, :] -= values
+    return ends
