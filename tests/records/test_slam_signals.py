@@ -39,7 +39,7 @@ def test_clear_slams_are_found_by_a_threshold():
 def test_filter_finds_slams_that_a_threshold_cannot():
     record = made(amplitude=1.0, noise=0.4)
     matched = matched_slams(record, STEP, RINGING, QUICKEST)
-    hits, missed, false = detection(matched.event_time.values, BLOWS, 0.15)
+    hits, _, false = detection(matched.event_time.values, BLOWS, 0.15)
     assert hits >= 0.97 * len(BLOWS)
     assert false <= 1
     assert np.median(np.abs(matched.slam_acceleration.values)) == pytest.approx(1.0, rel=0.15)

@@ -52,8 +52,8 @@ class RingDown:
         return np.where(time >= 0, shape, 0.0)
 
     def template(self, time_step: float) -> np.ndarray:
-        """Vibration until it has decayed to 5 %, of unit energy (time)."""
-        length = 3.0 / (self.damping_ratio * self.omega)
+        """Vibration until it has decayed to 1 %, of unit energy (time)."""
+        length = 4.6 / (self.damping_ratio * self.omega)
         shape = self.signal(np.arange(0, max(length, 6 * time_step), time_step))
         return shape / np.linalg.norm(shape)
 
