@@ -40,7 +40,7 @@ class StripBody:
     x : stations from aft to fore [m].
     y : of the body's own axes in the ship [m]; its sections are about them.
     groups : the sections by equal numbers of panels; a station in none of them has no section.
-    end_draught : draught of each contour at its aft end [m], of the hulls whose aft end is the body's.
+    transoms : the last sections of the hulls that end in one.
     """
 
     x: np.ndarray
@@ -50,7 +50,7 @@ class StripBody:
 
 
 class Transom(NamedTuple):
-    """Last section of one hull: its station number in the body, draught [m], and panels of its group."""
+    """Last section of one hull: numbers of its group and its row there, draught [m], numbers of its panels."""
 
     group: int
     row: int
@@ -68,7 +68,7 @@ def strip_bodies(hull: Hull, stations: int, panels: int, together: bool) -> tupl
         same = next((body for other, body in made if _are_alike(one, other)), None)
         if same is None:
             contours = _contours(one) - [one.position[1], 0.0]
-            body = _body(one.x, one.position[1], [contours])
+            body = _body(one.x, one.position[1], [contours], [one.x[0]])
         else:
             body = StripBody(same.x, one.position[1], same.groups, same.transoms)
         made.append((one, body))
@@ -97,7 +97,7 @@ def _joint_body(hulls: list[HullSections], stations: int) -> StripBody:
         x = station_positions(min(one.x[0] for one in hulls), max(one.x[-1] for one in hulls), stations)
         ends = [end for one in hulls for end in (one.x[0], one.x[-1])]
         x = np.unique(np.concatenate([x, ends]))
-    return _body(x, 0.0, [_at_stations(one, x) for one in hulls])
+    return _body(x, 0.0, [_at_stations(one, x) for one in hulls], [one.x[0] for one in hulls])
 
 
 def _at_stations(one: HullSections, x: np.ndarray) -> np.ndarray:
@@ -112,10 +112,10 @@ def _at_stations(one: HullSections, x: np.ndarray) -> np.ndarray:
     return found
 
 
-def _body(x: np.ndarray, y: float, hulls: list[np.ndarray]) -> StripBody:
-    """Return a body from the contours (stations, points, 2) of each of its hulls."""
+def _body(x: np.ndarray, y: float, hulls: list[np.ndarray], aft: list[float]) -> StripBody:
+    """Return a body from the contours (stations, points, 2) and the aft end of each of its hulls."""
     size = float(np.ptp(x))
-    usable, wet = zip(*(_usable(contours, size) for contours in hulls), strict=True)
+    usable, wet, thin = zip(*(_usable(contours, size) for contours in hulls), strict=True)
     pattern = np.array(wet).T
     groups, places = [], {}
     for kept in np.unique(pattern[pattern.any(axis=1)], axis=0):
@@ -128,16 +128,15 @@ def _body(x: np.ndarray, y: float, hulls: list[np.ndarray]) -> StripBody:
         groups.append(StationGroup(stations, sections_there, wetted_panels(sections_there)))
     transoms = []
     for h, contours in enumerate(hulls):
-        own = np.flatnonzero(np.ptp(contours, axis=1).max(axis=1) > 1e-9 * size)
-        # the aft end of this hull is a transom when it has a section there
-        if own.size and pattern[own[0], h] and (own[0] == 0 or not pattern[own[0] - 1, h]):
-            group, row, columns = places[h, own[0]]
-            transoms.append(Transom(group, row, float(-contours[own[0], :, 1].min()), columns))
+        last = int(np.argmin(np.abs(x - aft[h])))
+        if pattern[last, h] and not thin[h][last]:
+            group, row, columns = places[h, last]
+            transoms.append(Transom(group, row, float(-contours[last, :, 1].min()), columns))
     return StripBody(x, y, tuple(groups), tuple(transoms))
 
 
-def _usable(contours: np.ndarray, size: float) -> tuple[np.ndarray, np.ndarray]:
-    """Contours without pinched tops, and at which stations there is a section at all."""
+def _usable(contours: np.ndarray, size: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Contours without pinched tops, at which stations there is a section at all, and where it was a line."""
     found = contours.copy()
     steps = np.diff(contours, axis=1)
     girths = np.hypot(*np.moveaxis(steps, -1, 0)).sum(axis=1)
@@ -153,7 +152,7 @@ def _usable(contours: np.ndarray, size: float) -> tuple[np.ndarray, np.ndarray]:
     height = np.linspace(-1.0, 1.0, contours.shape[1])  # from starboard waterline to port, 0 on the keel
     profile = np.sign(height) * np.sqrt(1 - (1 - np.abs(height)) ** 2)
     found[thin, :, 0] += PLATE * girths[thin, None] * profile
-    return found, girths > 1e-6 * size
+    return found, girths > 1e-6 * size, thin
 
 
 def _group(contours: list[np.ndarray], size: float) -> tuple[SectionStack, list[np.ndarray]]:
