@@ -12,6 +12,7 @@ from workbench.verification import (
     feature_table,
     impact_cases,
     model_cases,
+    sail_cases,
     record_cases,
     sea_cases,
     ship_cases,
@@ -27,6 +28,7 @@ GROUPS = {
     "bodies of known coefficients": body_cases,
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
+    "sailing multihulls": sail_cases,
     "Delft 372": delft_cases,
 }
 
