@@ -12,8 +12,8 @@ from workbench.verification import (
     feature_table,
     impact_cases,
     model_cases,
-    sail_cases,
     record_cases,
+    sail_cases,
     sea_cases,
     ship_cases,
 )
