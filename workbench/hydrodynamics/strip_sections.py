@@ -94,9 +94,10 @@ def _joint_body(hulls: list[HullSections], stations: int) -> StripBody:
     """Return one body of all hulls, at common stations."""
     x = hulls[0].x
     if not all(one.x.shape == x.shape and np.allclose(one.x, x) for one in hulls):
-        x = station_positions(min(one.x[0] for one in hulls), max(one.x[-1] for one in hulls), stations)
-        ends = [end for one in hulls for end in (one.x[0], one.x[-1])]
-        x = np.unique(np.concatenate([x, ends]))
+        aft, fore = min(one.x[0] for one in hulls), max(one.x[-1] for one in hulls)
+        beyond = 1e-6 * (fore - aft)  # where a hull ends in a transom, its forces end too
+        ends = [(one.x[0], one.x[0] - beyond, one.x[-1], one.x[-1] + beyond) for one in hulls]
+        x = np.unique(np.clip([*station_positions(aft, fore, stations), *np.ravel(ends)], aft, fore))
     return _body(x, 0.0, [_at_stations(one, x) for one in hulls], [one.x[0] for one in hulls])
 
 
