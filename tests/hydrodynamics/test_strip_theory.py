@@ -16,6 +16,7 @@ from workbench.hydrodynamics import forward_speed
 from workbench.hydrodynamics.forward_speed import RadiatingBody
 from workbench.hydrodynamics.radiation import RadiationProblem, radiation
 from workbench.hydrodynamics.sections import radiation_potentials, sectional_matrix, stack, wetted_panels
+from workbench.hydrodynamics.strip_forces import weights
 from workbench.hydrodynamics.strip_sections import strip_bodies
 from workbench.hydrodynamics.strip_settings import StripSettings, validity_warnings
 from workbench.hydrodynamics.strip_theory import hydrodynamics
@@ -313,18 +314,40 @@ def test_a_transom_at_the_surface_has_no_end_terms():
     assert heave == pytest.approx(1.0, abs=1e-3)
 
 
-def test_transoms_of_hulls_solved_together_are_those_of_each():
-    """Waves so short that the added mass of a hull hardly feels the others; the centre hull lies ahead."""
-    trimaran = Hull(shape=DELFT.shape, count=3, spacing=6.0, centre_x=0.5)
+def test_transoms_of_two_hulls_solved_together_are_those_of_each():
+    """In waves so short that the added mass of a hull hardly feels the other."""
+    far = Hull(shape=DELFT.shape, count=2, spacing=6.0)
     ends = []
     for interaction in ("on", "off"):
-        settings = StripSettings(stations=31, panels=32, interaction=interaction)
+        settings = StripSettings(stations=15, panels=32, interaction=interaction)
         wet, dry = (
-            solved(trimaran, 25.0, BEAM, 2.5, replace(settings, transom=choice)).radiation_damping.values
+            solved(far, 25.0, BEAM, 2.5, replace(settings, transom=choice)).radiation_damping.values
             for choice in ("wet", "dry")
         )
         ends.append((dry - wet)[0, 0, 2:5:2, 2:5:2])
     np.testing.assert_allclose(ends[0], ends[1], rtol=0.04)
+
+
+def test_each_hull_of_a_joint_body_has_its_own_transom_and_ends_there():
+    """The centre hull lies ahead of the outer ones: its forces begin at its own transom, not a station before."""
+    trimaran = Hull(shape=DELFT.shape, count=3, spacing=2.0, centre_x=0.5)
+    (body,) = strip_bodies(trimaran, 41, 32, True)
+    draught = sections(DELFT)[0].draughts[0]
+    found = []
+    for transom in body.transoms:
+        group = body.groups[transom.group]
+        assert transom.draught == pytest.approx(draught, rel=1e-6)
+        y = group.panels.y[transom.row, transom.columns]
+        found.append((body.x[group.stations[transom.row]], y.mean()))
+    aft = sections(DELFT)[0].x[0]
+    np.testing.assert_allclose(found, [(aft, 1.0), (aft, -1.0), (aft + 0.5, 0.0)], atol=1e-9)
+    volume = sum(np.sum(weights(body.x)[group.stations] * area_under(group.panels)) for group in body.groups)
+    assert volume == pytest.approx(float(hydrostatics(trimaran, 1.0).displacement), rel=0.006)
+
+
+def area_under(wetted):
+    """Areas of the sections, from -int z n_z dl."""
+    return np.sum(wetted.z * wetted.normal_z * wetted.length, axis=-1)
 
 
 def test_the_transom_runs_dry_by_its_own_froude_number():
