@@ -30,7 +30,6 @@ from workbench.conventions import GRAVITY
 from workbench.design import Design
 from workbench.errors import InputError, checked_number
 from workbench.pipeline import Response
-from workbench.radiation_store import wave_frequencies
 from workbench.seas import Condition, SeaState
 from workbench.simulation.records import ShipInWaves, simulation
 from workbench.time_domain import Realisation, components_from, wave_components
@@ -39,6 +38,7 @@ Respond = Callable[[Sequence[float], np.ndarray | None], Response]
 """Response of the ship for wave directions [rad] and wave frequencies [rad/s] (None: the usual ones)."""
 
 _SHORT_OF_OVERTAKING = 0.9
+_WAVES_OVERTAKING = 150  # frequencies times headings: enough for the stored potentials to serve
 
 
 def simulated_sea(
@@ -122,16 +122,19 @@ def _response(design: Design, speed: float, directions, forces: str, respond: Re
     more = [np.pi / 2, np.pi] if forces == "non-linear" else []
     together = np.unique(np.round(np.mod(np.concatenate([wanted, more]), 2 * np.pi), 12))
     along = speed * float(np.cos(wanted).max())
-    usual = wave_frequencies(design.hull.length)
-    if along <= 0 or GRAVITY / along >= usual[-1] / _SHORT_OF_OVERTAKING:
+    if along <= 0:
         return respond(together, None)
+    usual = respond([np.pi], None).motions.omega.values
     top = _SHORT_OF_OVERTAKING * GRAVITY / along
+    if top >= usual[-1]:
+        return respond(together, None)
     if top <= 2 * usual[0]:
         raise InputError(
             f"speed must be below that of the waves for a simulation, at {speed:.4g} m/s and this heading the ship "
             "overtakes nearly all of them; lower the speed, or choose a heading of 90 to 270 degrees."
         )
-    return respond(together, np.linspace(usual[0], top, len(usual)))
+    count = max(len(usual), -(-_WAVES_OVERTAKING // len(together)))
+    return respond(together, np.linspace(usual[0], top, count))
 
 
 def _check_covered(omega: float, computed: np.ndarray) -> None:

@@ -28,8 +28,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from workbench.conventions import GRAVITY
 from workbench.errors import InputError
-from workbench.simulation.incident_pressure import HullInWaves
+from workbench.simulation.incident_pressure import ROTATIONS, HullInWaves, rotation
 from workbench.simulation.retardation import RadiationOperator
 from workbench.time_domain import record_blocks
 
@@ -38,6 +39,9 @@ DEPARTING = ("heave", "roll", "pitch")
 
 LARGEST_ROLL, LARGEST_PITCH = np.radians(60.0), np.radians(40.0)
 """Beyond these a ship is taken to be lost [rad]."""
+
+LONGEST_FLIGHT = 0.5
+"""Longest time without a wet hull in units of sqrt(L/g) [-], after which a ship is taken to be lost."""
 
 BLOCK = 1024
 
@@ -107,14 +111,18 @@ def departures(
 
 
 @dataclass(frozen=True, eq=False)
-class SimulatedMotion:
-    """Motion records (steps, 6) at the centre of gravity: with linear forces, and with those of the wet hull."""
+class SimulatedDeparture:
+    """Departure from linear motion (steps, 6) at the centre of gravity, and shares of the time [-].
 
-    linear: np.ndarray
-    motion: np.ndarray
+    Shares: without a wet hull (flying), and with water on the deck of a hull (covered).
+    """
+
+    departure: np.ndarray
+    flying: float
+    covered: float
 
 
-def simulated_motion(
+def simulated_departure(
     equation: DepartureEquation,
     ship: HullInWaves,
     motion_amplitudes: np.ndarray,
@@ -122,8 +130,8 @@ def simulated_motion(
     steps: int,
     lead_in: int,
     progress: Callable[[float, str], None] = lambda fraction, message: None,
-) -> SimulatedMotion:
-    """Motions of a ship in the waves of a realisation.
+) -> SimulatedDeparture:
+    """Departure of a ship from its linear motion in the waves of a realisation.
 
     Parameters
     ----------
@@ -144,9 +152,11 @@ def simulated_motion(
     shared = shared * np.exp(1j * frequency * lead_in * step)[:, None]
     total = lead_in + steps
     blocks = record_blocks(shared, frequency, (total - 1) * step, step, block=BLOCK)
-    linear, motion = np.zeros((total, 6)), np.zeros((total, 6))
     modes = list(equation.modes)
-    state: dict = {"start": 0, "rows": np.zeros((0, shared.shape[1]))}
+    state: dict = {"start": 0, "rows": np.zeros((0, shared.shape[1])), "dry": 0}
+    flights, covered = np.zeros(total, bool), np.zeros(total, bool)
+    deck = ship.surface.upper_vertices
+    scale = float(np.sqrt(np.ptp(ship.surface.vertices[:, 0]) / GRAVITY))
 
     def row(i: int) -> np.ndarray:
         if i >= state["start"] + len(state["rows"]):
@@ -157,21 +167,25 @@ def simulated_motion(
 
     def force(i: int, y: np.ndarray) -> np.ndarray:
         here = row(i)
-        linear[i] = pose = here[:6].astype(float)
-        pose = pose.copy()
+        pose = here[:6].astype(float)
         pose[modes] += y
         _check_afloat(pose, (i - lead_in) * step)
-        whole = ship.force(pose, here[12:])
-        if whole[2] <= 0:
+        attitude = rotation(*pose[ROTATIONS])
+        pressure = ship.pressure(pose, attitude, here[12:])
+        whole = ship.turned_force(pressure, attitude)
+        covered[i] = (pressure[deck] > 0).any()
+        state["dry"] = state["dry"] + 1 if whole[2] <= 0 else 0
+        flights[i] = whole[2] <= 0
+        if state["dry"] * step > LONGEST_FLIGHT * scale:
             raise InputError(_lost("leaves the water", (i - lead_in) * step))
         growth = min(1.0, 2 * i / max(lead_in, 1))
         return growth * (whole - still - here[6:12] + stiffness @ pose)[modes]
 
-    found = departures(equation, force, total)
-    motion[:] = linear
-    motion[:, modes] += found
+    departure = np.zeros((total, 6))
+    departure[:, modes] = departures(equation, force, total)
     progress(1.0, "motions simulated")
-    return SimulatedMotion(linear[lead_in:], motion[lead_in:])
+    shares = (float(part[lead_in:].mean()) for part in (flights, covered))
+    return SimulatedDeparture(departure[lead_in:], *shares)
 
 
 def _check_afloat(pose: np.ndarray, time: float) -> None:

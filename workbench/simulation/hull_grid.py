@@ -131,13 +131,23 @@ def _closed(shell: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _triangles(vertices: np.ndarray, faces: np.ndarray, centre: np.ndarray) -> HullSurface:
-    """Triangles of the faces with coincident vertices merged, those without area left out."""
+    """Triangles of the faces with coincident vertices merged; repeated corners are left out."""
     size = float(np.ptp(vertices[:, 0]))
     _, first, merged = np.unique(
         np.round(vertices / (1e-7 * size)).astype(np.int64), axis=0, return_index=True, return_inverse=True
     )
     corners = merged.reshape(-1)[faces]
-    corners = np.concatenate([corners[:, (0, 1, 2)], corners[:, (0, 2, 3)]])
+    port = (
+        vertices[faces][..., 1].sum(axis=1) >= 0
+    )  # other diagonals to starboard keep a ship its mirror image
+    corners = np.concatenate(
+        [
+            corners[port][:, (0, 1, 2)],
+            corners[port][:, (0, 2, 3)],
+            corners[~port][:, (0, 1, 3)],
+            corners[~port][:, (1, 2, 3)],
+        ]
+    )
     distinct = (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2])
     corners = corners[distinct & (corners[:, 2] != corners[:, 0])]
     used, renumbered = np.unique(corners, return_inverse=True)

@@ -96,7 +96,11 @@ class HullInWaves:
         Parameters as `pressure`.
         """
         attitude = rotation(*pose[ROTATIONS])
-        own = self.surface.pressure_force(self.pressure(pose, attitude, waves))
+        return self.turned_force(self.pressure(pose, attitude, waves), attitude)
+
+    def turned_force(self, pressure: np.ndarray, attitude: np.ndarray) -> np.ndarray:
+        """Force and moment (6,) of pressures at the vertices, turned into axes fixed in space."""
+        own = self.surface.pressure_force(pressure)
         return np.concatenate([attitude @ own[:3], attitude @ own[3:]])
 
     def at_rest(self) -> np.ndarray:

@@ -14,7 +14,7 @@ from workbench.geometry.hydrostatics import stiffness_matrix
 from workbench.geometry.wet_deck import wet_deck_height
 from workbench.motions import mass_matrix, roll_damping, translation_matrix
 from workbench.relative_motion import relative_motion
-from workbench.simulation.cummins import DEPARTING, DepartureEquation, simulated_motion
+from workbench.simulation.cummins import DEPARTING, DepartureEquation, SimulatedDeparture, simulated_departure
 from workbench.simulation.hull_grid import hull_surface
 from workbench.simulation.incident_pressure import HullInWaves
 from workbench.simulation.retardation import MEMORY, radiation_forces, stable_operator
@@ -112,10 +112,11 @@ def simulation(
     blocks = [part for _, part in record_blocks(together, frequency, times[-1], time_step)]
     series = np.concatenate(blocks, axis=1).astype(float)
     elevation, water, linear = series[0], series[1 : 1 + len(places)].T, series[1 + len(places) :].T
-    variables = {}
+    variables, notes = {}, ()
     motion = linear
     if forces == "non-linear":
-        motion = _non_linear_motion(ship, components, own, len(times), time_step, panels, progress)
+        found = _departure(ship, components, own, len(times), time_step, panels, progress)
+        motion, notes = linear + found.departure, _surface_notes(found)
         water = water - (_heights(motion, centre, places) - _linear_heights(linear, centre, places))
         variables["linear_motion"] = (("time", "dof"), linear)
     if len(places):
@@ -134,7 +135,7 @@ def simulation(
             **({"point": np.arange(1, len(places) + 1)} if len(places) else {}),
         },
         method=f"{forces} simulation on {ship.motions.attrs['method']}",
-        warnings=[*quantities.warnings_of(ship.motions), *_steepness_notes(components)],
+        warnings=[*quantities.warnings_of(ship.motions), *_steepness_notes(components), *notes],
         attrs={
             "forces": forces,
             "design": ship.design.name,
@@ -190,8 +191,16 @@ def departure_equation(ship: ShipInWaves, time_step: float) -> DepartureEquation
     return DepartureEquation(modes, mass, restoring, operator)
 
 
-def _non_linear_motion(ship, components, own, count, time_step, panels, progress) -> np.ndarray:
-    """Motion (time, 6) with the forces of the wet hull."""
+def _departure(
+    ship: ShipInWaves,
+    components: xr.Dataset,
+    own: np.ndarray,
+    count: int,
+    time_step: float,
+    panels: int,
+    progress: Callable[[float, str], None],
+) -> SimulatedDeparture:
+    """Departure from linear motion by the forces of the wet hull."""
     design = ship.design
     equation = departure_equation(ship, time_step)
     surface = hull_surface(design.hull, design.masses.centre_of_gravity, panels)
@@ -199,7 +208,7 @@ def _non_linear_motion(ship, components, own, count, time_step, panels, progress
     in_waves = HullInWaves(surface, centre, components, design.density)
     memory = MEMORY * np.sqrt(design.hull.length / GRAVITY)
     lead_in = int(np.ceil(2 * memory / time_step))
-    return simulated_motion(equation, in_waves, own, steps=count, lead_in=lead_in, progress=progress).motion
+    return simulated_departure(equation, in_waves, own, steps=count, lead_in=lead_in, progress=progress)
 
 
 def _relative_amplitudes(ship: ShipInWaves, components: xr.Dataset, places: np.ndarray) -> np.ndarray:
@@ -268,3 +277,19 @@ def _steepness_notes(components: xr.Dataset) -> tuple[str, ...]:
         f"The waves are steep (significant slope {steepest:.2f}): real ones would break, and linear waves are a rough "
         "guide.",
     )
+
+
+def _surface_notes(found: SimulatedDeparture) -> tuple[str, ...]:
+    """Say so where no hull was wet, or water stood on the deck of one, for part of the time."""
+    notes = []
+    if found.flying > 0:
+        notes.append(
+            f"The ship was out of the water for {100 * found.flying:.2g} % of the time: linear radiation and "
+            "diffraction are far outside their range then."
+        )
+    if found.covered > 0:
+        notes.append(
+            f"Water stood above the deck edge of a hull for {100 * found.covered:.2g} % of the time: the hull ends "
+            "there, and what stands on it is left out."
+        )
+    return tuple(notes)

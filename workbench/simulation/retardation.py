@@ -58,7 +58,7 @@ class RadiationOperator:
     def response(self, omega) -> np.ndarray:
         """Force per unit motion at encounter frequencies [rad/s], (len(omega), n, n) complex."""
         omega = np.asarray(omega, float)
-        memory = np.einsum("fn,nij->fij", _transform(omega, len(self.kernel), self.time_step), self.kernel)
+        memory = np.tensordot(_transform(omega, len(self.kernel), self.time_step), self.kernel, axes=1)
         along = omega[:, None, None]
         return along**2 * self.added_mass + 1j * along * (self.damping + memory) - self.stiffness
 
@@ -128,7 +128,7 @@ def fitted_operator(
     held = np.concatenate([np.zeros((len(held), constants.shape[1])), held], axis=1)
     found = _least_squares(np.concatenate([constants, memory], axis=1), force, omega * scale, held)
     parts = _scaled(found[: constants.shape[1]], scale)
-    kernel = np.einsum("nm,mij->nij", hats, found[constants.shape[1] :])
+    kernel = np.tensordot(hats, found[constants.shape[1] :], axes=1)
     return RadiationOperator(*parts, kernel=kernel, time_step=float(time_step))
 
 
@@ -158,7 +158,7 @@ def passive_operator(
     step = dense[1] - dense[0]
     kernel = 2 / np.pi * step * np.cos(np.multiply.outer(times, dense)) @ own
     kernel = (kernel * (1 - times / times[-1])[:, None]).reshape(-1, *damping.shape[1:])
-    memory = np.einsum("fn,nij->fij", _transform(omega, len(times), time_step), kernel)
+    memory = np.tensordot(_transform(omega, len(times), time_step), kernel, axes=1)
     left = force - 1j * omega[:, None, None] * memory
     constants = _constants(omega, scale, 1 if at_rest else 3)
     held = np.zeros((0, constants.shape[1]))
@@ -177,8 +177,9 @@ def unstable_motions(operator: RadiationOperator, mass: np.ndarray, stiffness: n
     ----------
     mass, stiffness : (n, n) of the free ship, without the operator's own.
     """
-    top = min(np.pi / operator.time_step, 60 * float(np.sqrt(np.diag(stiffness) / np.diag(mass)).max()))
-    omega = np.linspace(1e-6 * top, top, 12_000)
+    natural = np.sqrt(np.diag(stiffness) / np.diag(mass))
+    top = min(np.pi / operator.time_step, 60 * float(natural.max()))
+    omega = np.geomspace(1e-3 * float(natural.min()), top, 4000)
     norm = np.sqrt(np.diag(mass))
     system = (stiffness - omega[:, None, None] ** 2 * mass - operator.response(omega)) / np.multiply.outer(
         norm, norm

@@ -16,6 +16,7 @@ _APEX = np.array([0, 0, 1, 2, 2, 1, 0, 0])
 """Corner that is alone on its side of the water surface, by the code 1, 2, 4 of the wet corners."""
 
 _PERTURBATION = 1e-6
+_DECK = 0.7
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +68,13 @@ class HullSurface:
         """Area vectors (nt, 3), outward [m2]."""
         a, b, c = np.moveaxis(self.vertices[self.triangles], 1, 0)
         return np.cross(b - a, c - a) / 2
+
+    @cached_property
+    def upper_vertices(self) -> np.ndarray:
+        """Numbers of the vertices of triangles that look up: the deck."""
+        area = self._area_vectors
+        looks_up = area[:, 2] > _DECK * np.linalg.norm(area, axis=1)
+        return np.unique(self.triangles[looks_up])
 
     @property
     def volume(self) -> float:
