@@ -1,11 +1,13 @@
 """Motions of sailing multihulls: upright, heeled, on one hull, with sails."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from workbench.damping.sail_damping import SailDampingSettings
 from workbench.errors import InputError
-from workbench.geometry.hydrostatics import stiffness_matrix
+from workbench.geometry.hydrostatics import hydrostatics, stiffness_matrix
 from workbench.hulls import library
 from workbench.hydrodynamics import strip_theory
 from workbench.hydrodynamics.strip_settings import StripSettings
@@ -45,6 +47,18 @@ def test_roll_is_locked_on_one_hull_only():
     flying = moved(5.0)
     assert peak(flying, "roll") == 0
     assert "roll" in flying.attrs["locked"]
+
+
+def test_heeled_ship_floats_at_its_displacement():
+    afloat = sailing_design(SHIP, np.radians(2.0)).hull
+    assert float(hydrostatics(afloat, SHIP.density).displacement) == pytest.approx(SHIP.masses.mass, rel=2e-3)
+    other = moved(2.0)
+    as_upright = replace(SHIP.hull, heel=np.radians(2.0))
+    assert abs(afloat.sinkage - as_upright.sinkage) > 0.005
+    waves = strip_theory.hydrodynamics(afloat, SHIP.density, OMEGA, BOW, 5.0, COARSE)
+    stiffness = stiffness_matrix(afloat, SHIP.masses, SHIP.density)
+    expected = motions(waves, SHIP.masses, stiffness, locked=("surge", "sway", "yaw"))
+    np.testing.assert_array_equal(other.motion_rao, expected.motion_rao)
 
 
 def test_only_a_heeled_ship_rolls_in_head_waves():
