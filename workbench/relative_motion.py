@@ -56,12 +56,15 @@ def scattered_elevation(
     Parameters
     ----------
     wave_field : ``radiated_elevation`` (omega, radiating_dof, field_x, field_y) per
-        unit motion about the origin and ``diffracted_elevation`` (omega,
-        wave_direction, field_x, field_y).
+        unit motion about the origin, or (omega, wave_direction, radiating_dof, ...)
+        where a ship at speed meets each heading at its own frequency, and
+        ``diffracted_elevation`` (omega, wave_direction, field_x, field_y).
     motion_rao_at_origin : (omega, wave_direction, 6).
     x, y : points [m]. Outside the field grid (over a hull) the nearest point of the grid serves.
     """
-    radiated = np.einsum("fjxy,fbj->fbxy", wave_field.radiated_elevation.values, motion_rao_at_origin)
+    per_motion = wave_field.radiated_elevation
+    dims = "fbjxy" if "wave_direction" in per_motion.dims else "fjxy"
+    radiated = np.einsum(f"{dims},fbj->fbxy", per_motion.values, motion_rao_at_origin)
     total = radiated + wave_field.diffracted_elevation.values
     grid = (wave_field.field_x.values, wave_field.field_y.values)
     nearest = np.stack([np.clip(x, grid[0][0], grid[0][-1]), np.clip(y, grid[1][0], grid[1][-1])], axis=-1)

@@ -143,9 +143,14 @@ def radiation_potentials(sections: SectionStack, wavenumber: np.ndarray) -> np.n
     -------
     (frequencies, sections, 3, panels) complex [m, m, m2].
     """
+    return potentials(sections, wavenumber, *mode_velocities(sections))
+
+
+def mode_velocities(sections: SectionStack) -> tuple[np.ndarray, np.ndarray]:
+    """Normal velocity of unit sway, heave and roll, even and odd part (sections, panels, 3)."""
     (y, z), (normal_y, normal_z) = sections.middles, sections.normals
     modes = np.stack([normal_y, normal_z, y * normal_z - z * normal_y], axis=-1)
-    return potentials(sections, wavenumber, modes * EVEN, modes * ~EVEN)
+    return modes * EVEN, modes * ~EVEN
 
 
 def potentials(
