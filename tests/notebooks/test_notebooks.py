@@ -38,8 +38,8 @@ def test_notebook_is_valid_and_stores_no_output(name):
 
 
 def test_every_notebook_is_run_here():
-    assert {"first-steps.ipynb", "verification.ipynb"} <= set(NAMES)
-    assert set(NAMES) <= {"first-steps.ipynb", "verification.ipynb", "workbench.ipynb"}
+    assert {"first-steps.ipynb", "records.ipynb", "verification.ipynb"} <= set(NAMES)
+    assert set(NAMES) <= {"first-steps.ipynb", "records.ipynb", "verification.ipynb", "workbench.ipynb"}
 
 
 @pytest.mark.slow
@@ -74,6 +74,25 @@ def test_verification():
     assert differences["pitch Fn 0.3 apart"] == pytest.approx(0.098, abs=0.02)
     assert differences["heave Fn 0.75 apart"] == pytest.approx(0.183, abs=0.02)
     assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 2
+
+
+@pytest.mark.slow
+def test_records():
+    notebook = executed("records.ipynb")
+    found = numbers(notebook)
+    assert found["significant_wave_height"] == pytest.approx(1.8, rel=0.05)
+    assert found["wave_error"] < 0.1
+    assert found["wrong_sign"] > 3
+    assert all(error < 0.03 for error in found["response_errors"].values())
+    assert abs(found["lead_error"]) < 0.15
+    assert found["ringing_hz"] == pytest.approx(6.0, rel=0.02)
+    hits, missed, false = found["by_filter"]
+    assert hits + missed == found["slams"] > 20
+    assert hits > 0.9 * found["slams"]
+    assert false <= 2
+    assert found["by_threshold"][2] > 5 * max(false, 1)
+    assert found["verdicts"] == {"heave": True, "pitch": True, "vertical acceleration": False}
+    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 6
 
 
 @pytest.mark.slow

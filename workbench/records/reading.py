@@ -225,7 +225,7 @@ def _even(
     fitted, start = np.polyfit(place, time, 1)
     away = np.abs(time - start - fitted * place) / step
     if np.all(away <= EVENNESS) and settings.time_step is None:
-        step = fitted
+        step = (time[-1] - time[0]) / place[-1]
         placed = np.full((place[-1] + 1, values.shape[1]), np.nan)
         placed[place] = values
         return time[0] + step * np.arange(place[-1] + 1), placed

@@ -23,6 +23,9 @@ from workbench import quantities
 from workbench.errors import InputError, checked_number
 from workbench.records.filters import high_passed
 
+FINENESS = 32
+"""Samples in a period of the ringing; a coarser record is refined, for blows fall between its samples."""
+
 LEAST_SHARE = 0.25
 """Share of a slam that a weaker one within its ringing must have to count as another [-]."""
 
@@ -159,6 +162,9 @@ def matched_slams(
     checked_number("strength", strength, above=0)
     checked_number("dead_time", dead_time, "s", at_least=0)
     fast = high_passed(acceleration, time_step, quickest)
+    finer = max(1, min(int(np.ceil(FINENESS * ringing.omega * time_step / (2 * np.pi))), 16))
+    fast = signal.resample_poly(fast, finer, 1) if finer > 1 else fast
+    time_step = time_step / finer
     template = ringing.template(time_step)
     if len(template) >= len(fast):
         raise InputError(
