@@ -287,3 +287,15 @@ def test_sails_and_foils_of_a_design_are_gathered_and_damp(twin, solved):
     assert float(np.abs(foiled.motion_rao.isel(pitch)).max()) < float(
         np.abs(bare.motion_rao.isel(pitch)).max()
     )
+
+
+@pytest.mark.parametrize(
+    ("sign", "words"), [(1.0, ""), (-0.01, "A: in 6 of 6 waves the damping puts energy in")]
+)
+def test_damping_that_feeds_the_motion_is_told(twin, solved, sign, words):
+    stiffness = stiffness_matrix(twin.hull, twin.masses, 1025.0)
+    given = coefficients(solved)
+    part = force_set(given.omega, given.wave_direction, method="a", damping=sign * 1e5 * np.eye(6))
+    said = motions(given, twin.masses, stiffness, additions=(part,)).attrs["warnings"]
+    assert words in said
+    assert ("puts energy" in said) == bool(words)

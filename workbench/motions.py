@@ -15,13 +15,10 @@ import xarray as xr
 
 from workbench import quantities
 from workbench.conventions import MODES, wavenumber
-from workbench.damping.cross_flow import LINEARISED, CrossFlow
+from workbench.damping.cross_flow import CrossFlow
 from workbench.design import MassProperties
-from workbench.errors import InputError, checked_choice, checked_number
-
-DRAG_ITERATIONS = 100
-DRAG_TOLERANCE = 1e-6
-"""Largest change of a displacement or rotation in an iteration, over the largest, that ends the iteration [-]."""
+from workbench.errors import checked_number
+from workbench.motion_solution import energy_notes, free_modes, solution, solution_with_drag, total
 
 
 def translation_matrix(point) -> np.ndarray:
@@ -114,15 +111,16 @@ def motions(
     motions; no lift and no viscous damping but the roll damping of ``masses`` and what is added.
     """
     stiffness = np.asarray(hydrostatic_stiffness)
-    added = hydrodynamics.added_mass.values + _sum(additions, "added_mass", hydrodynamics)
-    damping = hydrodynamics.radiation_damping.values + _sum(additions, "damping", hydrodynamics)
+    added = hydrodynamics.added_mass.values + total(additions, "added_mass", hydrodynamics)
+    damping = hydrodynamics.radiation_damping.values + total(additions, "damping", hydrodynamics)
     damping = damping + roll_damping(masses, stiffness, hydrodynamics.added_mass.values)
-    stiffness = stiffness + _sum(additions, "stiffness", hydrodynamics)
-    force = hydrodynamics.excitation_force.values + _sum(additions, "excitation_force", hydrodynamics)
+    stiffness = stiffness + total(additions, "stiffness", hydrodynamics)
+    force = hydrodynamics.excitation_force.values + total(additions, "excitation_force", hydrodynamics)
     encounter = hydrodynamics.encounter_frequency.values[..., None, None]
     system = -(encounter**2) * (mass_matrix(masses) + added) - 1j * encounter * damping + stiffness
     centre = masses.centre_of_gravity
-    free = _free_modes(locked)
+    from_centre = np.linalg.inv(translation_matrix(centre))
+    free = free_modes(locked)
     notes = list(quantities.warnings_of(hydrodynamics, *additions))
     attrs = {
         "speed": hydrodynamics.attrs["speed"],
@@ -134,14 +132,17 @@ def motions(
         attrs["locked"] = ", ".join(held)
         notes.append(f"{' and '.join(held).capitalize()} held at zero at the centre of gravity.")
     if cross_flow is None:
-        at_origin = _solution(system, force, centre, free)
+        at_origin = solution(system, force, from_centre, free)
     else:
         attrs["wave_amplitude"] = checked_number(
             "wave amplitude of the drag", wave_amplitude, "m", above=0.0, at_most=50.0,
             cure="drag across the hulls is linearised for waves of one amplitude",
         )  # fmt: skip
-        at_origin, note = _with_drag(hydrodynamics, system, force, centre, free, cross_flow, wave_amplitude)
+        at_origin, note = solution_with_drag(
+            hydrodynamics, system, force, from_centre, free, cross_flow, wave_amplitude
+        )
         notes.append(note)
+    notes += energy_notes(additions, hydrodynamics, at_origin)
     at_centre = at_origin @ translation_matrix(centre).T
     at_centre[..., [index for index in range(6) if index not in free]] = 0.0
     k = hydrodynamics.wavenumber.values[:, None]
@@ -156,86 +157,6 @@ def motions(
         wave_at_reference=(("omega", "wave_direction"), np.exp(1j * k * along)),
         encounter_frequency=(("omega", "wave_direction"), hydrodynamics.encounter_frequency.values),
         wavenumber=("omega", hydrodynamics.wavenumber.values),
-    )
-
-
-def _free_modes(locked: Sequence[str]) -> list[int]:
-    """Return the numbers of the modes that are not locked."""
-    if isinstance(locked, str):
-        raise InputError(f"locked must be a list of modes, got {locked!r}; write ({locked!r},).")
-    for mode in locked:
-        checked_choice("locked mode", mode, MODES)
-    free = [index for index, mode in enumerate(MODES) if mode not in locked]
-    if not free:
-        raise InputError("locked must leave one mode free, got all six; take one out.")
-    return free
-
-
-def _sum(additions: Sequence[xr.Dataset], name: str, hydrodynamics: xr.Dataset):
-    """Return the sum of a variable over the additions, on the waves of the hydrodynamics; 0 if there is none."""
-    total = 0.0
-    for one in additions:
-        if name not in one:
-            continue
-        variable = one[name]
-        for dim in ("omega", "wave_direction"):
-            if dim not in variable.dims:
-                variable = variable.expand_dims(dim)
-            elif not np.array_equal(variable[dim], hydrodynamics[dim]):
-                raise InputError(
-                    f"{name} of {one.attrs.get('method', 'an addition')} must be for the waves of the hydrodynamics, "
-                    f"its {dim} differs; compute it for the same."
-                )
-        modes = [dim for dim in ("influenced_dof", "radiating_dof") if dim in variable.dims]
-        total = total + variable.transpose("omega", "wave_direction", *modes).values
-    return total
-
-
-def _solution(system: np.ndarray, force: np.ndarray, centre, free: list[int]) -> np.ndarray:
-    """Return the motions at the origin of the modes that are free at the centre of gravity."""
-    try:
-        if len(free) == 6:
-            return np.linalg.solve(system, force[..., None])[..., 0]
-        from_centre = np.linalg.inv(translation_matrix(centre))[:, free]
-        reduced = from_centre.T @ system @ from_centre
-        return np.linalg.solve(reduced, (force @ from_centre)[..., None])[..., 0] @ from_centre.T
-    except np.linalg.LinAlgError as error:
-        raise InputError(
-            "The equation of motion is singular; check masses and gyradii of the design."
-        ) from error
-
-
-def _with_drag(
-    hydrodynamics: xr.Dataset,
-    system: np.ndarray,
-    force: np.ndarray,
-    centre,
-    free: list[int],
-    drag: CrossFlow,
-    amplitude: float,
-) -> tuple[np.ndarray, str]:
-    """Return the motions at the origin with linearised drag, and a sentence about the linearisation."""
-    speed = hydrodynamics.attrs["speed"]
-    met = hydrodynamics.encounter_frequency.values[..., None, None]
-    moved = drag.velocity_rows
-    flow = -1j * met * moved + speed * drag.turning_rows
-    wave = drag.wave_velocity(hydrodynamics.omega.values, hydrodynamics.wave_direction.values)
-    found = _solution(system, force, centre, free)
-    for _ in range(DRAG_ITERATIONS):
-        across = np.abs(np.einsum("fbnj,fbj->fbn", flow, found) - wave)
-        strength = LINEARISED * amplitude * drag.strengths * across
-        resisted = system + np.einsum("fbn,nj,fbnk->fbjk", strength, moved, flow, optimize=True)
-        driven = force + np.einsum("fbn,nj->fbj", strength * wave, moved)
-        new = _solution(resisted, driven, centre, free)
-        kinds = np.abs(new).reshape(-1, 2, 3).max(axis=(0, 2))
-        change = float((np.abs(new - found).reshape(-1, 2, 3).max(axis=(0, 2)) / kinds).max())
-        found = (found + new) / 2
-        if change < DRAG_TOLERANCE:
-            note = f"Drag across the hulls is linearised for waves of {amplitude:g} m amplitude."
-            return new, note
-    return found, (
-        f"Drag across the hulls did not settle in {DRAG_ITERATIONS} iterations; the last change was "
-        f"{100 * change:.2g} % of the largest motion."
     )
 
 

@@ -95,6 +95,15 @@ def test_drag_is_that_of_the_flow_across_the_hull_at_speed():
         assert (spring - met**2 * (50.0 + 400.0)) * pitch == pytest.approx(40.0 - x * drag, rel=1e-5)
 
 
+def test_drag_settles_with_modes_locked():
+    found = motions(
+        oscillator(), MASSES, 300.0 * np.eye(6), cross_flow=DEEP, wave_amplitude=2.0, locked=("roll", "pitch", "yaw")
+    )  # fmt: skip
+    free = motions(oscillator(), MASSES, 300.0 * np.eye(6), cross_flow=DEEP, wave_amplitude=2.0)
+    np.testing.assert_allclose(found.motion_rao[..., 2], free.motion_rao[..., 2], rtol=1e-5)
+    assert "did not settle" not in found.attrs["warnings"]
+
+
 def test_small_waves_have_no_drag():
     plain = motions(oscillator(), MASSES, 300.0 * np.eye(6))
     small = motions(oscillator(), MASSES, 300.0 * np.eye(6), cross_flow=DEEP, wave_amplitude=1e-6)
