@@ -117,17 +117,21 @@ def simulated_regular_wave(
 
 
 def _response(design: Design, speed: float, directions, forces: str, respond: Respond) -> Response:
-    """Response at the wanted directions; beam and head seas too where the radiation forces are needed in time."""
+    """Response at the wanted directions; beam and head seas too where the radiation forces are needed in time.
+
+    With a method that refuses waves that the ship overtakes, those are left out.
+    """
     wanted = np.asarray(directions, float)
     more = [np.pi / 2, np.pi] if forces == "non-linear" else []
     together = np.unique(np.round(np.mod(np.concatenate([wanted, more]), 2 * np.pi), 12))
     along = speed * float(np.cos(wanted).max())
-    if along <= 0:
+    try:
         return respond(together, None)
+    except InputError:
+        if along <= 0:
+            raise
     usual = respond([np.pi], None).motions.omega.values
-    top = _SHORT_OF_OVERTAKING * GRAVITY / along
-    if top >= usual[-1]:
-        return respond(together, None)
+    top = min(_SHORT_OF_OVERTAKING * GRAVITY / along, usual[-1])
     if top <= 2 * usual[0]:
         raise InputError(
             f"speed must be below that of the waves for a simulation, at {speed:.4g} m/s and this heading the ship "

@@ -4,24 +4,50 @@ import numpy as np
 import pytest
 
 from workbench import designs, pipeline
+from workbench.conventions import GRAVITY
+from workbench.geometry.hydrostatics import stiffness_matrix
+from workbench.hydrodynamics import strip_theory
+from workbench.motions import motions
+from workbench.radiation_store import wave_frequencies
 from workbench.simulation.records import ShipInWaves
 
 FROUDE_NUMBER = 0.3
 HEADINGS = np.radians([90.0, 150.0, 180.0])
 
 
-def respond(method: str, design, speed: float, directions, omega=None):
-    """Response of a design by one method."""
-    return pipeline.response(design, speed, directions, omega)
+def respond(method: str, design, speed: float, directions) -> ShipInWaves:
+    """Linear response of a design by one method."""
+    if method == "potential-flow":
+        found = pipeline.response(design, speed, directions)
+        return ShipInWaves(design, found.hydrodynamics, found.motions, found.wave_field)
+    omega = wave_frequencies(design.hull.length)
+    coefficients = strip_theory.hydrodynamics(design.hull, design.density, omega, directions, speed)
+    stiffness = stiffness_matrix(design.hull, design.masses, design.density)
+    return ShipInWaves(design, coefficients, motions(coefficients, design.masses, stiffness))
 
 
-METHODS = ("potential-flow",)
+METHODS = ("potential-flow", "strip")
+
+
+@pytest.fixture(scope="session")
+def responses() -> dict[str, ShipInWaves]:
+    """The 3 m Delft 372 catamaran at Fn 0.3 by each method, as they are asked for."""
+    return {}
+
+
+def delft(method: str, responses: dict[str, ShipInWaves]) -> ShipInWaves:
+    if method not in responses:
+        design = designs.named_design("delft-372")
+        speed = FROUDE_NUMBER * float(np.sqrt(GRAVITY * design.hull.length))
+        responses[method] = respond(method, design, speed, HEADINGS)
+    return responses[method]
+
+
+@pytest.fixture(scope="session")
+def ship(responses) -> ShipInWaves:
+    return delft("potential-flow", responses)
 
 
 @pytest.fixture(scope="session", params=METHODS)
-def ship(request) -> ShipInWaves:
-    """The 3 m Delft 372 catamaran at Fn 0.3."""
-    design = designs.named_design("delft-372")
-    speed = FROUDE_NUMBER * float(np.sqrt(9.80665 * design.hull.length))
-    found = respond(request.param, design, speed, HEADINGS)
-    return ShipInWaves(design, found.hydrodynamics, found.motions, found.wave_field)
+def any_ship(request, responses) -> ShipInWaves:
+    return delft(request.param, responses)

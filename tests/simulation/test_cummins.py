@@ -31,26 +31,26 @@ def regular(ship, amplitude, omega, direction=OBLIQUE, periods=8, **others):
     return waves, simulation(ship, waves, duration, STEP, **others)
 
 
-def test_pulse_in_time_is_the_pulse_by_frequencies(ship):
+def test_pulse_in_time_is_the_pulse_by_frequencies(any_ship):
     """Second method: the response to a force by Fourier integral over the coefficients themselves."""
-    equation = departure_equation(ship, STEP)
-    length = ship.design.hull.length
+    equation = departure_equation(any_ship, STEP)
+    length = any_ship.design.hull.length
     centre, width = 1.0, 0.12
     direction = np.array([100.0, 5.0, 30.0])
     times = np.arange(int(6.0 / STEP)) * STEP
     pulse = np.exp(-(((times - centre) / width) ** 2) / 2)
     in_time = departures(equation, lambda i, y: direction * pulse[i], len(times))
 
-    omega, force = radiation_forces(ship.hydrodynamics)
-    stiffness = stiffness_matrix(ship.design.hull, ship.design.masses, ship.design.density)
-    viscous = roll_damping(ship.design.masses, stiffness, ship.hydrodynamics.added_mass.values)
-    omega, force = radiation_forces(ship.hydrodynamics, viscous)
-    back = np.linalg.inv(translation_matrix(ship.design.masses.centre_of_gravity))[:, 2:5]
+    omega, force = radiation_forces(any_ship.hydrodynamics)
+    stiffness = stiffness_matrix(any_ship.design.hull, any_ship.design.masses, any_ship.design.density)
+    viscous = roll_damping(any_ship.design.masses, stiffness, any_ship.hydrodynamics.added_mass.values)
+    omega, force = radiation_forces(any_ship.hydrodynamics, viscous)
+    back = np.linalg.inv(translation_matrix(any_ship.design.masses.centre_of_gravity))[:, 2:5]
     dense = np.linspace(1e-3, 12 / np.sqrt(length / GRAVITY), 3000)
     own = (back.T @ force @ back).reshape(len(omega), 9)
     own = np.stack([np.interp(dense, omega, part) for part in own.T], axis=1).reshape(-1, 3, 3)
     system = back.T @ stiffness @ back - dense[:, None, None] ** 2 * (
-        back.T @ mass_matrix(ship.design.masses) @ back
+        back.T @ mass_matrix(any_ship.design.masses) @ back
     )
     system = system - own
     spectrum = width * np.sqrt(2 * np.pi) * np.exp(-((dense * width) ** 2) / 2 + 1j * dense * centre)
@@ -62,26 +62,26 @@ def test_pulse_in_time_is_the_pulse_by_frequencies(ship):
 
 
 @pytest.mark.parametrize("ratio", [1.2, 2.0])
-def test_small_regular_wave_gives_the_linear_response(ship, ratio):
-    omega = np.sqrt(2 * np.pi * GRAVITY / (ratio * ship.design.hull.length))
-    amplitude = 5e-4 * ship.design.hull.length
-    waves, found = regular(ship, amplitude, omega)
+def test_small_regular_wave_gives_the_linear_response(any_ship, ratio):
+    omega = np.sqrt(2 * np.pi * GRAVITY / (ratio * any_ship.design.hull.length))
+    amplitude = 5e-4 * any_ship.design.hull.length
+    waves, found = regular(any_ship, amplitude, omega)
     encounter = float(waves.component_frequency[0])
-    rao = interpolated_motions(ship.motions, np.array([omega]))[0, 1] * np.exp(0.3j)
+    rao = interpolated_motions(any_ship.motions, np.array([omega]))[0, 1] * np.exp(0.3j)
     for mode in range(6):
         own = amplitude_of(found.motion.values[:, mode], found.time.values, encounter) / amplitude
         assert abs(own - rao[mode]) < 0.02 * abs(rao[mode])
 
 
-def test_small_irregular_sea_gives_the_linear_response(ship):
+def test_small_irregular_sea_gives_the_linear_response(any_ship):
     """Response estimated at each wave component of a random sea, over the energetic band."""
-    length = ship.design.hull.length
+    length = any_ship.design.hull.length
     sea = SeaState(
         significant_wave_height=1e-3 * length, peak_period=float(np.sqrt(2 * np.pi * 1.8 * length / GRAVITY))
     )
-    condition = Condition(speed=ship.motions.attrs["speed"], wave_direction=HEAD, sea_state=sea)
+    condition = Condition(speed=any_ship.motions.attrs["speed"], wave_direction=HEAD, sea_state=sea)
     waves = wave_components(condition, Realisation(seed=7, components=30), 2.2, 8.0)
-    found = simulation(ship, waves, 100.0, STEP, panels=400)
+    found = simulation(any_ship, waves, 100.0, STEP, panels=400)
     encounter, times = waves.component_frequency.values, found.time.values
     angle = np.multiply.outer(times, encounter)
     columns = np.concatenate([np.cos(angle), np.sin(angle)], axis=1)
@@ -89,7 +89,7 @@ def test_small_irregular_sea_gives_the_linear_response(ship):
     given = waves.component_amplitude.values * np.exp(1j * waves.component_phase.values)
     estimated = (cosine + 1j * sine) / given[:, None]
     omega = waves.component_omega.values
-    rao = interpolated_motions(ship.motions, omega)[:, 2][:, (2, 4)]
+    rao = interpolated_motions(any_ship.motions, omega)[:, 2][:, (2, 4)]
     spectrum = wave_spectrum(sea, omega)
     energetic = spectrum > 0.1 * spectrum.max()
     assert energetic.sum() > 8
@@ -97,11 +97,11 @@ def test_small_irregular_sea_gives_the_linear_response(ship):
     assert (np.abs(estimated - rao)[energetic] / size).max() < 0.02
 
 
-def test_departure_is_of_second_order_in_the_waves(ship):
-    omega = np.sqrt(2 * np.pi * GRAVITY / (1.5 * ship.design.hull.length))
+def test_departure_is_of_second_order_in_the_waves(any_ship):
+    omega = np.sqrt(2 * np.pi * GRAVITY / (1.5 * any_ship.design.hull.length))
     sizes = []
     for amplitude in (2e-4, 4e-4):
-        _, found = regular(ship, amplitude * ship.design.hull.length, omega, panels=400)
+        _, found = regular(any_ship, amplitude * any_ship.design.hull.length, omega, panels=400)
         sizes.append(float((found.motion - found.linear_motion).sel(dof="heave").std()))
     assert sizes[1] / sizes[0] == pytest.approx(4.0, abs=1.5)
     assert sizes[0] > 0

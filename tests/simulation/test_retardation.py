@@ -48,9 +48,9 @@ def test_constants_of_a_ship_at_speed_are_found():
     assert found.stiffness[0, 0] == pytest.approx(0.4, abs=0.05)
 
 
-def test_operator_reproduces_the_coefficients_of_a_ship(ship):
-    omega, force = radiation_forces(ship.hydrodynamics)
-    length = ship.design.hull.length
+def test_operator_reproduces_the_coefficients_of_a_ship(any_ship):
+    omega, force = radiation_forces(any_ship.hydrodynamics)
+    length = any_ship.design.hull.length
     found = fitted_operator(omega, force, length, 0.011, at_rest=False)
     kept = omega * np.sqrt(length / GRAVITY) < 6
     for mode in (2, 3, 4):

@@ -126,8 +126,8 @@ def test_small_motions_and_waves_give_the_linear_forces(name):
     assert own[2, 4] == pytest.approx(linear[2, 4], abs=2e-3 * design.hull.length * linear[2, 2])
 
 
-def test_small_waves_give_the_froude_krylov_force(ship):
-    coefficients, design = ship.hydrodynamics, ship.design
+def test_small_waves_give_the_froude_krylov_force(any_ship):
+    coefficients, design = any_ship.hydrodynamics, any_ship.design
     centre = np.array(design.masses.centre_of_gravity)
     surface = hull_surface(design.hull, centre)
     back = np.linalg.inv(translation_matrix(centre))

@@ -16,6 +16,7 @@ from workbench.verification import (
     sail_cases,
     sea_cases,
     ship_cases,
+    simulation_cases,
 )
 from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 
@@ -29,6 +30,7 @@ GROUPS = {
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
     "sailing multihulls": sail_cases,
+    "simulation in time": simulation_cases,
     "Delft 372": delft_cases,
 }
 
