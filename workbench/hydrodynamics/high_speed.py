@@ -1,0 +1,171 @@
+"""High-speed (2 1/2-D) theory of ships of one to three hulls, upright or heeled.
+
+The ship passes through cross-planes of water at rest: waves go sideways and aft and none
+ahead ([Grande2002]_ A1.100-A1.106 after [FaltinsenZhao1991]_, in axes x forward). One march
+from bow to stern per problem (`cross_plane`) serves all frequencies, modes and headings.
+
+.. [Grande2002] K. Grande, "Prediction of slamming occurrence of catamarans", MSc thesis,
+    Curtin University of Technology, 2002.
+.. [FaltinsenZhao1991] O. M. Faltinsen and R. Zhao, "Numerical predictions of ship motions at
+    high forward speed", Phil. Trans. R. Soc. Lond. A 334, 241-252, 1991.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from scipy.interpolate import CubicSpline
+
+from workbench import __version__, quantities
+from workbench.conventions import GRAVITY, encounter_frequency
+from workbench.design import Hull
+from workbench.errors import checked_number
+from workbench.hydrodynamics.coefficients import coefficient_set
+from workbench.hydrodynamics.high_speed_forces import (
+    ends,
+    forces,
+    froude_krylov,
+    joined,
+    lost_stiffness,
+    ship_sectional,
+)
+from workbench.hydrodynamics.high_speed_hulls import Stations, all_together, hull_alone, stationed
+from workbench.hydrodynamics.high_speed_march import Sectional, Waves, sectional
+from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings, check_speed, tau, validity_warnings
+from workbench.hydrodynamics.potential_flow import refuse_overtaken_waves
+
+SOLVER_VERSION = f"workbench high speed {__version__}"
+_MOST_NODES = 60
+_SPLINE_NODES = 48
+_PHASE_PER_STATION = 0.35
+
+
+def hydrodynamics(
+    hull: Hull,
+    density: float,
+    omega: Sequence[float],
+    wave_directions: Sequence[float],
+    speed: float,
+    settings: HighSpeedSettings | None = None,
+    *,
+    warnings: Sequence[str] = (),
+) -> xr.Dataset:
+    """Added mass, damping and wave forces of a ship at high speed, about the origin.
+
+    Parameters
+    ----------
+    hull : in the attitude in which it runs; density : [kg/m3].
+    omega : wave frequencies [rad/s]; wave_directions : [rad]; speed : [m/s].
+    settings : choices of the theory; None takes the usual ones.
+    warnings : go before the method's own in the attributes of the result.
+
+    Returns
+    -------
+    Dataset of `coefficient_set`, method "high-speed", and ``stiffness_correction``: what a dry transom takes
+    from the hydrostatic stiffness.
+
+    Raises
+    ------
+    InputError below Fn 0.1 and where the ship overtakes the waves.
+
+    Notes
+    -----
+    Slender hulls, Fn above about 0.25 and tau = U omega_e/g above 1/4. No added mass, damping and diffraction
+    in surge. Costs about a second for 40 waves, and far less than in proportion for more.
+    """
+    settings = settings or HighSpeedSettings()
+    omega = np.asarray(omega, float)
+    directions = np.asarray(wave_directions, float)
+    checked_number("speed", speed, "m/s", at_least=0, at_most=60)
+    check_speed(speed, hull.length)
+    refuse_overtaken_waves(omega, directions, speed)
+    lowest = float(tau(omega, directions, speed).min())
+    notes = [*warnings, *validity_warnings(settings, hull.count, speed, hull.length, lowest)]
+    shape = (len(omega), len(directions))
+    waves = _met_waves(omega, directions, speed)
+    nodes = _nodes(waves.encounter)
+    stations = stationed(hull, _station_count(settings, hull.length, speed, nodes[-1]), settings.panels)
+    potentials = _potentials(hull, stations, settings, speed, nodes, waves)
+    family_ends = [
+        ends(stations, stations.hulls[numbers[0]], speed, settings.transom == "released")
+        for numbers in stations.families
+    ]
+    radiation, diffraction = forces(potentials, stations, family_ends, speed, density, nodes, waves)
+    incident = froude_krylov(stations, family_ends, density, waves)
+    if len(nodes) > 1 and not np.array_equal(nodes, np.unique(waves.encounter)):
+        radiation = CubicSpline(nodes, radiation, axis=0)(waves.encounter)
+    else:
+        radiation = radiation[np.searchsorted(nodes, waves.encounter)]
+    radiation = np.conj(radiation).reshape(*shape, 6, 6)  # to exp(-i omega t)
+    encounter = waves.encounter.reshape(shape)[..., None, None]
+    found = coefficient_set(
+        omega,
+        directions,
+        speed,
+        density,
+        added_mass=radiation.real / encounter**2,
+        radiation_damping=radiation.imag / encounter,
+        froude_krylov_force=np.conj(incident).reshape(*shape, 6),
+        diffraction_force=np.conj(diffraction).reshape(*shape, 6),
+        solver=SOLVER_VERSION,
+        method="high-speed",
+        warnings=notes,
+    )
+    matrix = ("influenced_dof", "radiating_dof")
+    lost = xr.DataArray(lost_stiffness(stations, family_ends, density), dims=matrix)
+    found["stiffness_correction"] = lost.assign_attrs(quantities.attributes("stiffness_correction"))
+    found.attrs["lowest_tau"] = lowest
+    return found
+
+
+def _met_waves(omega: np.ndarray, directions: np.ndarray, speed: float) -> Waves:
+    """Return every frequency with every direction, omega first."""
+    frequency, direction = (part.ravel() for part in np.meshgrid(omega, directions, indexing="ij"))
+    return Waves(frequency, direction, encounter_frequency(frequency, speed, direction))
+
+
+def _nodes(encounter: np.ndarray) -> np.ndarray:
+    """Return the encounter frequencies at which motions are marched: all, or enough for a spline."""
+    distinct = np.unique(encounter)
+    if len(distinct) <= _MOST_NODES:
+        return distinct
+    return np.linspace(distinct[0], distinct[-1], _SPLINE_NODES)
+
+
+def _station_count(settings: HighSpeedSettings, length: float, speed: float, highest: float) -> int:
+    """Return how many stations keep the phase between neighbours small and the march stable."""
+    by_phase = highest * length / speed / _PHASE_PER_STATION
+    spacing = _grid(length)
+    by_stability = np.sqrt(np.pi * GRAVITY / spacing) * length / speed / 1.5
+    return int(min(max(settings.stations, by_phase, by_stability), 1000))
+
+
+def _grid(length: float) -> float:
+    """Return the distance of points on the water [m]."""
+    return length / 150
+
+
+def _potentials(
+    hull: Hull, stations: Stations, settings: HighSpeedSettings, speed: float, nodes: np.ndarray, waves: Waves
+) -> Sectional:
+    """Return the sectional potentials of the whole ship, with the interaction that was asked for."""
+    none = np.zeros(0)
+    spacing = _grid(hull.length)
+    several = len(stations.hulls) > 1
+    apart = together = None
+    if not several or settings.interaction != "on":
+        solved = {}
+        for numbers in stations.families:
+            number = numbers[0]
+            solved[number] = sectional(
+                hull_alone(stations, number), stations, speed, nodes, waves, hull.length, spacing, none
+            )
+        apart = ship_sectional(stations, solved, waves)
+    if several and settings.interaction != "off":
+        half_width = hull.length + hull.spacing / 2
+        together = sectional(all_together(stations), stations, speed, nodes, waves, half_width, spacing, none)
+    if apart is None:
+        return together
+    if together is None:
+        return apart
+    return joined(stations, apart, together, speed, nodes, waves)
