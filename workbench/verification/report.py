@@ -15,8 +15,10 @@ from workbench.verification import (
     record_cases,
     sail_cases,
     sea_cases,
+    section_cases,
     ship_cases,
     simulation_cases,
+    strip_cases,
 )
 from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 
@@ -27,6 +29,8 @@ GROUPS = {
     "encounter, sea areas and limits": encounter_cases,
     "measured records": record_cases,
     "bodies of known coefficients": body_cases,
+    "sections": section_cases,
+    "strip theory": strip_cases,
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
     "sailing multihulls": sail_cases,
