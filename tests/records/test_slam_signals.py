@@ -83,6 +83,8 @@ def test_refusals():
         RingDown(omega=50.0, damping_ratio=0.0)
     with pytest.raises(InputError, match="longer than the ring-down"):
         matched_slams(np.sin(TIME[:20]), STEP, RINGING, QUICKEST)
+    with pytest.raises(InputError, match="too coarse"):
+        matched_slams(np.sin(TIME), STEP, RingDown(omega=400.0, damping_ratio=0.1), QUICKEST)
     with pytest.raises(InputError, match="constant"):
         matched_slams(np.zeros(2000), STEP, RINGING, QUICKEST)
     with pytest.raises(InputError, match="threshold"):

@@ -160,6 +160,13 @@ def matched_slams(
     is taken out with the side lobes of its own ringing before the next is looked for.
     """
     checked_number("strength", strength, above=0)
+    checked_number(
+        "omega of the ring-down",
+        ringing.omega,
+        "rad/s",
+        below=np.pi / time_step,
+        cure="the record is too coarse for it",
+    )
     checked_number("dead_time", dead_time, "s", at_least=0)
     fast = high_passed(acceleration, time_step, quickest)
     finer = max(1, min(int(np.ceil(FINENESS * ringing.omega * time_step / (2 * np.pi))), 16))
