@@ -23,6 +23,7 @@ from workbench.command_inputs import (
     TunnelOption,
     progress_line,
     settings_of,
+    spectrum_table_of,
     speed_of,
     wave_direction_of,
 )
@@ -183,6 +184,16 @@ def simulate(
     heading_degrees: HeadingOption = 180.0,
     hs: Annotated[float | None, typer.Option("--hs", help="Significant wave height [m].")] = None,
     tp: Annotated[float | None, typer.Option("--tp", help="Peak period [s].")] = None,
+    spectrum: Annotated[
+        str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")
+    ] = "bretschneider",
+    peak_enhancement: Annotated[float, typer.Option(help="gamma of jonswap.")] = 3.3,
+    spectrum_file: Annotated[
+        Path | None, typer.Option(help="Measured spectrum: lines of omega, ordinate; scaled to --hs.")
+    ] = None,
+    spreading: Annotated[
+        float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")
+    ] = None,
     regular_wave_amplitude: Annotated[
         float | None, typer.Option(help="Amplitude of a regular wave [m], instead of a sea.")
     ] = None,
@@ -224,7 +235,14 @@ def simulate(
     }
     realisation = Realisation(seed=seed, hours=hours, time_step=time_step)
     if regular_wave_amplitude is None and omega is None:
-        sea = SeaState(significant_wave_height=hs, peak_period=tp)
+        sea = SeaState(
+            significant_wave_height=hs,
+            peak_period=tp,
+            spectrum="user" if spectrum_file else spectrum,
+            peak_enhancement=peak_enhancement,
+            table=spectrum_table_of(spectrum_file),
+            spreading_exponent=spreading,
+        )
         condition = Condition(speed=speed, wave_direction=direction, sea_state=sea)
         records = simulated_sea(chosen, condition, realisation, respond, **common)
     else:

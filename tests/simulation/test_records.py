@@ -221,8 +221,22 @@ def test_command_simulates_a_sea_and_a_regular_wave(capsys, tmp_path):
     assert code == 0
     assert values["forces"] == "linear"
     assert "regular waves" in values["waves"]
-    code, text, _ = run(capsys, "--hs", 0.05, "--tp", 1.6, "--hours", 0.001, "--linear")
+    code, text, _ = run(
+        capsys,
+        "--hs",
+        0.05,
+        "--tp",
+        1.6,
+        "--spectrum",
+        "jonswap",
+        "--spreading",
+        4,
+        "--hours",
+        0.001,
+        "--linear",
+    )
     assert "heave" in text
+    assert "jonswap" in text
 
 
 @pytest.mark.usefixtures("command")
