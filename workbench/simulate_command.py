@@ -38,6 +38,9 @@ from workbench.time_domain import Realisation, components_from, wave_components
 Respond = Callable[[Sequence[float], np.ndarray | None], Response]
 """Response of the ship for wave directions [rad] and wave frequencies [rad/s] (None: the usual ones)."""
 
+RADIATION_DIRECTIONS = np.pi / 2, np.pi
+"""Headings that tell, beside the wanted one, of the radiation forces at speed over frequency [rad]."""
+
 _SHORT_OF_OVERTAKING = 0.9
 _WAVES_OVERTAKING = 150  # frequencies times headings: enough for the stored potentials to serve
 
@@ -50,16 +53,20 @@ def simulated_sea(
     *,
     forces: str = "non-linear",
     points: Sequence[tuple[float, float]] = (),
+    radiation_directions: Sequence[float] = RADIATION_DIRECTIONS,
     progress: Callable[[float, str], None] = pipeline.silent,
 ) -> xr.Dataset:
     """Records of a ship in a realisation of a sea; parameters as `simulation`.
 
     Parameters
     ----------
-    respond : makes the linear response of the design at the speed of the condition, by any method.
+    respond : makes the linear response of the design at the speed of the condition, by any method;
+        its ``hydrodynamics``, ``motions`` and ``wave_field`` are read, and ``additions`` where it has them.
+    radiation_directions : further headings that a non-linear simulation at speed asks for [rad]; with a
+        method that is dear, head seas alone do.
     """
     directions = sea_energy.directions_for(condition)
-    found = _response(design, condition.speed, directions, forces, respond)
+    found = _response(design, condition.speed, directions, forces, respond, radiation_directions)
     lowest, highest = float(found.motions.omega[0]), float(found.motions.omega[-1])
     components = wave_components(condition, realisation, lowest, highest)
     energy = sea_energy.wave_energy(
@@ -94,6 +101,7 @@ def simulated_regular_wave(
     time_step: float | None = None,
     forces: str = "non-linear",
     points: Sequence[tuple[float, float]] = (),
+    radiation_directions: Sequence[float] = RADIATION_DIRECTIONS,
     progress: Callable[[float, str], None] = pipeline.silent,
 ) -> xr.Dataset:
     """Records of a ship in a regular wave of an amplitude [m] and wave frequency [rad/s]; else as `simulated_sea`."""
@@ -106,7 +114,7 @@ def simulated_regular_wave(
             f"regular-wave-amplitude must be <= {most:.3g} m at omega {omega:g} rad/s, got {amplitude:g} m; steeper "
             "waves break: lower it or take a longer wave."
         )
-    found = _response(design, speed, [wave_direction], forces, respond)
+    found = _response(design, speed, [wave_direction], forces, respond, radiation_directions)
     _check_covered(omega, found.motions.omega.values)
     components = components_from(omega, amplitude, 0.0, wave_direction, speed)
     made = _records(design, found, components, hours * 3600, time_step, forces, points, progress)
@@ -117,13 +125,20 @@ def simulated_regular_wave(
     return made
 
 
-def _response(design: Design, speed: float, directions, forces: str, respond: Respond) -> Response:
-    """Response at the wanted directions; beam and head seas too where the radiation forces are needed in time.
+def _response(
+    design: Design,
+    speed: float,
+    directions,
+    forces: str,
+    respond: Respond,
+    radiation_directions: Sequence[float],
+) -> Response:
+    """Response at the wanted directions, and at those of the radiation where a simulation needs them.
 
     With a method that refuses waves that the ship overtakes, those are left out.
     """
     wanted = np.asarray(directions, float)
-    more = [np.pi / 2, np.pi] if forces == "non-linear" else []
+    more = tuple(radiation_directions) if forces == "non-linear" and speed > 0 else ()
     together = np.unique(np.round(np.mod(np.concatenate([wanted, more]), 2 * np.pi), 12))
     along = speed * float(np.cos(wanted).max())
     try:
