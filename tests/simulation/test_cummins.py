@@ -9,9 +9,9 @@ from workbench.errors import InputError
 from workbench.geometry.hydrostatics import stiffness_matrix
 from workbench.motions import interpolated_motions, mass_matrix, roll_damping, translation_matrix
 from workbench.seas import Condition, SeaState, wave_spectrum
-from workbench.simulation.cummins import departures
+from workbench.simulation.cummins import DepartureEquation, departures
 from workbench.simulation.records import ShipInWaves, departure_equation, simulation
-from workbench.simulation.retardation import radiation_forces
+from workbench.simulation.retardation import RadiationOperator, radiation_forces
 from workbench.time_domain import Realisation, components_from, wave_components
 
 STEP = 0.0111
@@ -29,6 +29,21 @@ def regular(ship, amplitude, omega, direction=OBLIQUE, periods=8, **others):
     waves = components_from(omega, amplitude, 0.3, direction, ship.motions.attrs["speed"])
     duration = periods * 2 * np.pi / abs(float(waves.component_frequency[0]))
     return waves, simulation(ship, waves, duration, STEP, **others)
+
+
+def test_harmonic_force_gives_the_response_of_the_operator():
+    """Settled motion of one mode with memory, by the frequency response of the same operator."""
+    step, omega = 0.05, 1.2
+    times = np.arange(6000) * step
+    kernel = 4.0 * np.exp(-2.0 * times[:120])[:, None, None]
+    operator = RadiationOperator(
+        np.full((1, 1), 1.0), np.full((1, 1), 0.3), np.full((1, 1), 0.5), kernel, step
+    )
+    equation = DepartureEquation((2,), np.full((1, 1), 2.0), np.full((1, 1), 3.0), operator)
+    found = departures(equation, lambda i, y: np.array([np.cos(omega * times[i])]), len(times))[:, 0]
+    known = 1 / (3.0 - 2.0 * omega**2 - operator.response([omega])[0, 0, 0])
+    settled = slice(3000, None)
+    assert amplitude_of(found[settled], times[settled], omega) == pytest.approx(known, rel=2e-3)
 
 
 def test_pulse_in_time_is_the_pulse_by_frequencies(any_ship):
