@@ -13,25 +13,29 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from workbench import __version__, designs, tables, tool_commands
+from workbench import __version__, designs, record_commands, simulate_command, tables, tool_commands
 from workbench.command_inputs import (
     DesignArgument,
     FroudeOption,
     HeadingOption,
     InteractionOption,
     JsonOption,
+    MethodOption,
     PanelsOption,
+    RunningSinkageOption,
+    RunningTrimOption,
     SpeedOption,
     TreatmentOption,
     TunnelOption,
-    check_method,
     deck_points_of,
     frequencies_of,
     number_or_word,
     progress_line,
+    running_state_of,
     settings_of,
     spectrum_table_of,
     speed_of,
+    theory_of,
     wave_direction_of,
 )
 from workbench.errors import InputError
@@ -99,7 +103,7 @@ def show(design: DesignArgument, as_json: JsonOption = False) -> None:
 @application.command()
 def rao(
     design: DesignArgument,
-    method: Annotated[str, typer.Option(help="potential-flow.")] = "potential-flow",
+    method: MethodOption = "recommended",
     speed_knots: SpeedOption = None,
     froude: FroudeOption = None,
     heading_degrees: HeadingOption = 180.0,
@@ -109,19 +113,26 @@ def rao(
     interaction: InteractionOption = "auto",
     speed_treatment: TreatmentOption = "encounter-frequency",
     tunnel_damping: TunnelOption = 0.0,
+    running_trim_degrees: RunningTrimOption = 0.0,
+    running_sinkage: RunningSinkageOption = 0.0,
     as_json: JsonOption = False,
 ) -> None:
     """Motions per wave amplitude in regular waves."""
     from workbench import pipeline
 
-    check_method(method)
     chosen = designs.design(design)
     speed = speed_of(chosen, speed_knots, froude)
     direction = wave_direction_of(heading_degrees)
     frequencies, ratios_rise = frequencies_of(chosen, omega, wavelength_ratio)
-    settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
+    settings = theory_of(method, settings_of(panels, interaction, speed_treatment, tunnel_damping))
     ship = pipeline.response(
-        chosen, speed, [direction], np.sort(frequencies), settings, progress=progress_line()
+        chosen,
+        speed,
+        [direction],
+        np.sort(frequencies),
+        settings,
+        running_state=running_state_of(running_trim_degrees, running_sinkage),
+        progress=progress_line(),
     )
     values = tables.motion_table(ship, descending=ratios_rise)
     if as_json:
@@ -137,6 +148,7 @@ def slam(
     clearance: Annotated[
         float | None, typer.Option(help="Wet-deck clearance [m]; that of the design if left out.")
     ] = None,
+    method: MethodOption = "recommended",
     hs: Annotated[float, typer.Option("--hs", help="Significant wave height [m].")] = 2.0,
     tp: Annotated[float | None, typer.Option("--tp", help="Peak period [s].")] = None,
     spectrum: Annotated[
@@ -162,6 +174,8 @@ def slam(
     interaction: InteractionOption = "auto",
     speed_treatment: TreatmentOption = "encounter-frequency",
     tunnel_damping: TunnelOption = 0.0,
+    running_trim_degrees: RunningTrimOption = 0.0,
+    running_sinkage: RunningSinkageOption = 0.0,
     as_json: JsonOption = False,
 ) -> None:
     """Wet-deck slamming in an irregular sea: closed form over the deck, and counted."""
@@ -184,12 +198,15 @@ def slam(
         ),
     )
     realisation = Realisation(seed=seed, hours=hours)
-    settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
+    settings = theory_of(method, settings_of(panels, interaction, speed_treatment, tunnel_damping))
+    state = running_state_of(running_trim_degrees, running_sinkage)
     law = PressureLaw(name=pressure_law)
     points = deck_points_of(deck_points)
     least_velocity = pipeline.threshold_of(number_or_word(threshold), chosen)
     directions = sea_energy.directions_for(condition)
-    ship = pipeline.response(chosen, condition.speed, directions, None, settings, progress=progress_line())
+    ship = pipeline.response(
+        chosen, condition.speed, directions, None, settings, running_state=state, progress=progress_line()
+    )
     relative = pipeline.deck_response(ship, chosen.wet_deck, points)
     found = pipeline.slamming(
         ship,
@@ -227,6 +244,7 @@ def run(
     seed: Annotated[int, typer.Option(help="Seed of the realisation.")] = 1,
     hours: Annotated[float, typer.Option(help="Hours counted.")] = 1.0,
     film: Annotated[bool, typer.Option("--film/--no-film", help="Also render an MP4.")] = False,
+    method: MethodOption = "recommended",
     panels: PanelsOption = 1000,
 ) -> None:
     """Do everything for a design and write results, tables, figures, animation and an index page."""
@@ -246,11 +264,13 @@ def run(
         seed=seed,
         hours=hours,
         film=film,
-        panels=panels,
+        settings=theory_of(method, settings_of(panels, "auto", "encounter-frequency", 0.0)),
     )
     print(index)
 
 
+application.command("simulate")(simulate_command.simulate)
+application.command("records")(record_commands.records)
 for command in tool_commands.COMMANDS:
     application.command(command.__name__.removeprefix("open_"))(command)
 

@@ -10,8 +10,12 @@ import typer
 
 from workbench.conventions import GRAVITY, KNOT
 from workbench.design import Design
-from workbench.errors import InputError, checked_number
+from workbench.errors import InputError, checked_choice, checked_number
+from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
+from workbench.hydrodynamics.recommended import METHODS, RecommendedSettings, TheorySettings
 from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.strip_settings import StripSettings
+from workbench.running_state import RunningState
 
 DesignArgument = Annotated[str, typer.Argument(metavar="DESIGN", help="A library name or a TOML file.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
@@ -25,6 +29,17 @@ InteractionOption = Annotated[str, typer.Option("--interaction", help="Between t
 TreatmentOption = Annotated[
     str,
     typer.Option("--speed-treatment", help="encounter-frequency or forward-speed (Capytaine's own option)."),
+]
+MethodOption = Annotated[
+    str, typer.Option("--method", help="recommended, strip, high-speed or potential-flow.")
+]
+RunningTrimOption = Annotated[
+    float,
+    typer.Option("--running-trim-degrees", help="Trim at speed beyond that at rest, bow down positive."),
+]
+RunningSinkageOption = Annotated[
+    float,
+    typer.Option("--running-sinkage", help="Sinkage at speed of the centre of gravity [m], down positive."),
 ]
 TunnelOption = Annotated[
     float, typer.Option("--tunnel-damping", help="Damping of the water between the hulls, 0 to 0.2.")
@@ -69,12 +84,34 @@ def settings_of(
     )
 
 
-def check_method(method: str) -> None:
-    """Refuse methods that are not in this version."""
-    if method != "potential-flow":
-        raise InputError(
-            f"method must be potential-flow, got {method!r}; other theories are not in this version."
-        )
+def theory_of(method: str, panel_settings: PotentialFlowSettings) -> TheorySettings:
+    """Settings of the theory that is asked for.
+
+    Interaction between the hulls goes to every theory, the rest of ``panel_settings`` to the panel method.
+    """
+    checked_choice("method", method, METHODS)
+    interaction = panel_settings.interaction
+    strip, high_speed = StripSettings(interaction=interaction), HighSpeedSettings(interaction=interaction)
+    if method == "strip":
+        return strip
+    if method == "high-speed":
+        return high_speed
+    if method == "potential-flow":
+        return panel_settings
+    return RecommendedSettings(potential_flow=panel_settings, strip=strip, high_speed=high_speed)
+
+
+def running_state_of(running_trim_degrees: float, running_sinkage: float) -> RunningState:
+    """Attitude at speed."""
+    trim = checked_number(
+        "running-trim-degrees",
+        running_trim_degrees,
+        "degrees",
+        at_least=-10,
+        at_most=10,
+        cure="positive bow down",
+    )
+    return RunningState(running_trim=float(np.radians(trim)), running_sinkage=running_sinkage)
 
 
 def frequencies_of(

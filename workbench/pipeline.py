@@ -8,23 +8,25 @@ cannot rerun the hydrodynamics. `counted_slams` draws a realisation and counts.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import xarray as xr
 
-from workbench import potential_flow_stage as stage
 from workbench import quantities
+from workbench import theory_stage as stage
 from workbench.conventions import froude_number
+from workbench.damping.additions import additions
+from workbench.damping.cross_flow import cross_flow
 from workbench.design import Design, WetDeck
 from workbench.errors import InputError, checked_number
 from workbench.geometry.hydrostatics import equilibrium, hydrostatics, stiffness_matrix
 from workbench.geometry.wet_deck import wet_deck_grid
-from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.recommended import RecommendedSettings, TheorySettings
 from workbench.impact.pressure import PressureLaw
 from workbench.motions import motions
-from workbench.radiation_store import usual_directions
 from workbench.relative_motion import relative_motion
+from workbench.running_state import RunningState
 from workbench.sea_energy import band_notes, wave_energy
 from workbench.seas import Condition
 from workbench.slamming import criteria, events, extremes, statistics
@@ -48,11 +50,13 @@ class Response:
 
     design: Design
     speed: float
-    settings: PotentialFlowSettings
+    settings: TheorySettings
     hydrostatics: xr.Dataset
     hydrodynamics: xr.Dataset
     motions: xr.Dataset
     wave_field: xr.Dataset | None
+    additions: tuple[xr.Dataset, ...] = ()
+    running_state: RunningState = field(default_factory=RunningState)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -86,8 +90,9 @@ def response(
     speed: float,
     wave_directions: Sequence[float] | None = None,
     omega: Sequence[float] | None = None,
-    settings: PotentialFlowSettings | None = None,
+    settings: TheorySettings | None = None,
     *,
+    running_state: RunningState | None = None,
     workers: int = 1,
     progress: Callable[[float, str], None] = silent,
 ) -> Response:
@@ -97,24 +102,29 @@ def response(
     ----------
     design : hull and masses are used, and the density of its water.
     speed : [m/s].
-    wave_directions : [rad]; None takes 0 to 345 degrees by 15, less those in which the ship overtakes waves.
+    wave_directions : [rad]; None takes 0 to 345 degrees by 15, less those that the theory cannot do.
     omega : wave frequencies [rad/s]; None takes `radiation_store.wave_frequencies`.
-    settings : of the potential-flow method.
-    workers : processes for a new hull; progress : called with fraction and sentence, may raise to cancel.
+    settings : of one theory, which thereby is chosen; None takes the recommended ones.
+    running_state : running attitude, sails, appendages, locked modes, drag.
+    workers : processes for a new hull of the panel method; progress : called with fraction and sentence, may
+        raise to cancel.
 
     Raises
     ------
     InputError for a design out of equilibrium, waves too short for the panels, or a
-    speed and heading at which the ship overtakes the waves.
+    speed and heading at which the theory cannot be used.
     """
     checked_number("speed", speed, "m/s", at_least=0, at_most=60)
-    settings = settings or PotentialFlowSettings()
-    afloat = hydrostatics(design.hull, design.density, design.masses.centre_of_gravity[2])
-    notes = equilibrium(design.hull, design.masses, design.density)
+    settings = settings or RecommendedSettings()
+    state = running_state or RunningState()
+    masses = design.masses
+    afloat = hydrostatics(design.hull, design.density, masses.centre_of_gravity[2])
+    notes = equilibrium(design.hull, masses, design.density, may_capsize="roll" in state.locked)
     if wave_directions is None:
-        wave_directions = usual_directions(design.hull.length, speed)
-    hydrodynamics, wave_field = stage.hydrodynamics(
-        design.hull,
+        wave_directions = stage.directions_for(settings, design.hull.length, speed)
+    running = state.running_hull(design.hull, masses.centre_of_gravity[0])
+    found, wave_field = stage.hydrodynamics(
+        running,
         design.density,
         speed,
         wave_directions,
@@ -123,18 +133,33 @@ def response(
         workers=workers,
         progress=progress,
     )
-    stiffness = stiffness_matrix(design.hull, design.masses, design.density)
-    hydrodynamics.attrs["warnings"] = quantities.joined_warnings(
-        [*notes, *quantities.warnings_of(hydrodynamics)]
+    stiffness = stiffness_matrix(running, masses, design.density)
+    found.attrs["warnings"] = quantities.joined_warnings([*notes, *quantities.warnings_of(found)])
+    added = additions(design, found, wind=state.wind, sails=state.sails, lift=state.lift)
+    if "stiffness_correction" in found:
+        added = (*added, stage.stiffness_addition(found))
+    drag = state.drag_coefficients
+    moved = motions(
+        found,
+        masses,
+        stiffness,
+        additions=added,
+        locked=state.locked,
+        cross_flow=None if drag is None else cross_flow(running, design.density, *drag),
+        wave_amplitude=state.drag_wave_amplitude,
     )
+    if "recommendation" in found.attrs:
+        moved.attrs["recommendation"] = found.attrs["recommendation"]
     return Response(
         design=design,
         speed=float(speed),
         settings=settings,
         hydrostatics=afloat,
-        hydrodynamics=hydrodynamics,
-        motions=motions(hydrodynamics, design.masses, stiffness),
+        hydrodynamics=found,
+        motions=moved,
         wave_field=wave_field,
+        additions=added,
+        running_state=state,
     )
 
 

@@ -14,7 +14,7 @@ from workbench import animation, cache, files, pipeline, quantities, report, sea
 from workbench.conventions import GRAVITY
 from workbench.design import Design
 from workbench.errors import InputError
-from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.recommended import TheorySettings
 from workbench.pipeline import Response, Slamming
 from workbench.scene.standalone import standalone_html
 from workbench.seas import Condition, SeaState
@@ -62,7 +62,7 @@ def study(
     design: Design,
     condition: Condition,
     realisation: Realisation,
-    settings: PotentialFlowSettings | None = None,
+    settings: TheorySettings | None = None,
 ) -> Study:
     """Compute a whole study; seconds for a known hull, half a minute for a new one."""
     ship = pipeline.response(design, condition.speed, sea_energy.directions_for(condition), None, settings)
@@ -96,7 +96,7 @@ def written_study(
     seed: int = 1,
     hours: float = 1.0,
     film: bool = False,
-    panels: int = 1000,
+    settings: TheorySettings | None = None,
 ) -> Path:
     """Compute a study and write it to a folder; return its index page.
 
@@ -112,7 +112,7 @@ def written_study(
     )
     realisation = Realisation(seed=seed, hours=hours)
     folder = _writable(Path(folder))
-    done = study(design, condition, realisation, PotentialFlowSettings(panels=panels))
+    done = study(design, condition, realisation, settings)
 
     cache.save_dataset(all_results(done), folder / "results.nc")
     summary = tables.slamming_table(done.ship, done.slam, done.counts, realisation)

@@ -101,6 +101,7 @@ def motion_table(ship: Response, descending: bool = False) -> dict[str, Any]:
     values: dict[str, Any] = {
         "design": ship.design.name,
         "method": ship.motions.attrs["method"],
+        "recommendation": ship.motions.attrs.get("recommendation", ""),
         "speed": ship.speed,
         "froude_number": float(froude_number(ship.speed, ship.design.hull.length)),
         "heading_degrees": float(np.degrees(one.wave_direction)),

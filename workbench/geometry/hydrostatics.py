@@ -88,12 +88,15 @@ def block_coefficient(hull: Hull) -> float:
     return volume / (shape.length * shape.beam * shape.draught)
 
 
-def equilibrium(hull: Hull, masses: MassProperties, density: float = SEAWATER_DENSITY) -> tuple[str, ...]:
+def equilibrium(
+    hull: Hull, masses: MassProperties, density: float = SEAWATER_DENSITY, *, may_capsize: bool = False
+) -> tuple[str, ...]:
     """Sentences of warning where the masses do not balance the hydrostatics; `InputError` where hopeless.
 
     Warned: weight and displacement differ by more than 1 %, or the longitudinal
     centres of gravity and buoyancy by more than 0.5 % of the length. Refused:
-    more than 25 %, or a metacentric height that is not positive.
+    more than 25 %, or a metacentric height that is not positive (the transverse one may be
+    with ``may_capsize``: a ship whose roll is held, such as one that flies a hull).
     """
     floating = hydrostatics(hull, density, masses.centre_of_gravity[2])
     displacement = float(floating.displacement)
@@ -103,7 +106,7 @@ def equilibrium(hull: Hull, masses: MassProperties, density: float = SEAWATER_DE
             f"mass must be within 25 % of the displacement of the hulls ({displacement:.4g} kg), got "
             f"{masses.mass:.4g} kg; change the mass, the draught or the hull."
         )
-    for name in ("transverse", "longitudinal"):
+    for name in ("longitudinal",) if may_capsize else ("transverse", "longitudinal"):
         metacentric = float(floating[f"{name}_metacentric_height"])
         if metacentric <= 0.0:
             highest = masses.centre_of_gravity[2] + metacentric

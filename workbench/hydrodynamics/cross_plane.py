@@ -147,19 +147,39 @@ class Contour:
         """Unit normals into the water, complex."""
         return -1j * (self.ends - self.starts) / self.lengths
 
+    @cached_property
+    def _kept(self) -> dict[tuple[bool, float], tuple[np.ndarray, ...]]:
+        """Influences that the even and the odd march share."""
+        return {}
+
     def influence(self, points: np.ndarray, parity: int, on_panels: bool) -> tuple[np.ndarray, np.ndarray]:
-        """Potential and complex velocity at points, of unit sources with their images (n, m)."""
-        potential, velocity = panel_integrals(points, self.starts, self.ends)
-        if on_panels:
-            np.fill_diagonal(velocity, np.pi * np.conj(self.normals))
-        above = np.conj(self.ends), np.conj(self.starts)
-        images = [(-1.0, above)]
-        if parity:
-            images += [(parity, (-above[0], -above[1])), (-parity, (-self.starts, -self.ends))]
-        for sign, ends in images:
-            other_potential, other_velocity = panel_integrals(points, *ends)
-            potential, velocity = potential + sign * other_potential, velocity + sign * other_velocity
-        return potential, velocity
+        """Potential and complex velocity at points, of unit sources with their images (n, m).
+
+        With ``on_panels`` the points are the centres of the panels; otherwise they are on the water, and
+        the same ones in every call for marches of even and odd motions.
+        """
+        key = on_panels, len(points)
+        if key not in self._kept:
+            potential, velocity = panel_integrals(points, self.starts, self.ends)
+            if on_panels:
+                np.fill_diagonal(velocity, np.pi * np.conj(self.normals))
+            above = np.conj(self.ends), np.conj(self.starts)
+            found = [*_less(potential, velocity, panel_integrals(points, *above))]
+            if parity:
+                mirrored = panel_integrals(points, -above[0], -above[1])
+                found += _less(*mirrored, panel_integrals(points, -self.starts, -self.ends))
+            self._kept[key] = tuple(found)
+        potential, velocity, *mirrored = self._kept[key]
+        if not parity:
+            return potential, velocity
+        return potential + parity * mirrored[0], velocity + parity * mirrored[1]
+
+
+def _less(
+    potential: np.ndarray, velocity: np.ndarray, other: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return influences less those of another set of sources."""
+    return potential - other[0], velocity - other[1]
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,6 +20,7 @@ from workbench import __version__, quantities
 from workbench.conventions import GRAVITY, encounter_frequency
 from workbench.design import Hull
 from workbench.errors import checked_number
+from workbench.geometry.lines import is_symmetric
 from workbench.hydrodynamics.coefficients import coefficient_set
 from workbench.hydrodynamics.high_speed_forces import (
     ends,
@@ -81,8 +82,8 @@ def hydrodynamics(
     refuse_overtaken_waves(omega, directions, speed)
     lowest = float(tau(omega, directions, speed).min())
     notes = [*warnings, *validity_warnings(settings, hull.count, speed, hull.length, lowest)]
-    shape = (len(omega), len(directions))
-    waves = _met_waves(omega, directions, speed)
+    sides, where = _sides(hull, directions)
+    waves = _met_waves(omega, sides, speed)
     nodes = _nodes(waves.encounter)
     stations = stationed(hull, _station_count(settings, hull.length, speed, nodes[-1]), settings.panels)
     potentials = _potentials(hull, stations, settings, speed, nodes, waves)
@@ -96,8 +97,12 @@ def hydrodynamics(
         radiation = CubicSpline(nodes, radiation, axis=0)(waves.encounter)
     else:
         radiation = radiation[np.searchsorted(nodes, waves.encounter)]
-    radiation = np.conj(radiation).reshape(*shape, 6, 6)  # to exp(-i omega t)
-    encounter = waves.encounter.reshape(shape)[..., None, None]
+    shape = (len(omega), len(sides))
+    mirror = np.where(np.sin(directions) < -1e-9, -1.0, 1.0) if is_symmetric(hull) else None
+    radiation = np.conj(radiation).reshape(*shape, 6, 6)[:, where]  # to exp(-i omega t)
+    incident = _turned(np.conj(incident).reshape(*shape, 6)[:, where], mirror)
+    diffraction = _turned(np.conj(diffraction).reshape(*shape, 6)[:, where], mirror)
+    encounter = waves.encounter.reshape(shape)[:, where, None, None]
     found = coefficient_set(
         omega,
         directions,
@@ -105,17 +110,36 @@ def hydrodynamics(
         density,
         added_mass=radiation.real / encounter**2,
         radiation_damping=radiation.imag / encounter,
-        froude_krylov_force=np.conj(incident).reshape(*shape, 6),
-        diffraction_force=np.conj(diffraction).reshape(*shape, 6),
+        froude_krylov_force=incident,
+        diffraction_force=diffraction,
         solver=SOLVER_VERSION,
         method="high-speed",
         warnings=notes,
     )
-    matrix = ("influenced_dof", "radiating_dof")
-    lost = xr.DataArray(lost_stiffness(stations, family_ends, density), dims=matrix)
-    found["stiffness_correction"] = lost.assign_attrs(quantities.attributes("stiffness_correction"))
+    matrix = ("wave_direction", "influenced_dof", "radiating_dof")
+    lost = np.broadcast_to(lost_stiffness(stations, family_ends, density), (len(directions), 6, 6))
+    found["stiffness_correction"] = xr.DataArray(lost, dims=matrix).assign_attrs(
+        quantities.attributes("stiffness_correction")
+    )
     found.attrs["lowest_tau"] = lowest
     return found
+
+
+def _sides(hull: Hull, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the directions to compute and, for each wanted one, which of them: mirrored ones are computed once."""
+    if not is_symmetric(hull):
+        return directions, np.arange(len(directions))
+    folded = np.round(np.abs(np.angle(np.exp(1j * directions))), 12)
+    return np.unique(folded, return_inverse=True)
+
+
+def _turned(force: np.ndarray, mirror: np.ndarray | None) -> np.ndarray:
+    """Return forces of waves from the other side: sway, roll and yaw change sign."""
+    if mirror is None:
+        return force
+    signs = np.ones((len(mirror), 6))
+    signs[:, [1, 3, 5]] = mirror[:, None]
+    return force * signs
 
 
 def _met_waves(omega: np.ndarray, directions: np.ndarray, speed: float) -> Waves:

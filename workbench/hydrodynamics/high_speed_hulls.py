@@ -1,4 +1,4 @@
-"""The hulls of a ship as contours at evenly spaced stations from the bow aft, and the cross-plane problems they pose."""
+"""Hulls as contours at evenly spaced stations from the bow aft, and the cross-plane problems they pose."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
