@@ -15,6 +15,7 @@ from workbench.geometry.sections import sections
 from workbench.hydrodynamics import forward_speed
 from workbench.hydrodynamics.forward_speed import RadiatingBody
 from workbench.hydrodynamics.radiation import RadiationProblem, radiation
+from workbench.hydrodynamics.section_waves import Waves, haskind_density, orbital_decay
 from workbench.hydrodynamics.sections import radiation_potentials, sectional_matrix, stack, wetted_panels
 from workbench.hydrodynamics.strip_forces import weights
 from workbench.hydrodynamics.strip_sections import strip_bodies
@@ -116,6 +117,29 @@ def test_transom_terms_are_those_of_the_published_table(last_section):
         assert dry[0][place] - wet[0][place] == pytest.approx(known, rel=1e-5), ("A", place)
     for place, known in known_damping.items():
         assert dry[1][place] - wet[1][place] == pytest.approx(known, rel=1e-5), ("B", place)
+
+
+def test_transom_terms_of_the_wave_force():
+    """[STF1970]: F3 gains U/(i omega_e) of the last section's diffraction force, F5 -x_A of that (conjugated here)."""
+    speed, omega, direction = 2.5, 4.0, np.radians(150)
+    met = encounter_frequency(omega, speed, direction)
+    dry, wet = (
+        solved(DELFT, omega, direction, speed, replace(COARSE, transom=choice)).excitation_force.values[0, 0]
+        for choice in ("dry", "wet")
+    )
+    force = 0.0
+    for one in sections(DELFT, COARSE.stations, COARSE.panels + 1):
+        section = stack([np.stack([one.y[0], one.z[0]], axis=-1)[None]])
+        wetted = wetted_panels(section)
+        waves = Waves(np.array([omega]), np.array([direction]), np.array([met]))
+        elevation = orbital_decay(wetted, one.x[:1], waves)
+        potential = radiation_potentials(section, np.array([met**2 / GRAVITY]))
+        force += DENSITY * haskind_density(wetted, potential, elevation, waves)[0, 0]
+    x = one.x[0]
+    end = -speed / (1j * met) * force
+    known = np.array([0.0, end[0], end[1], end[2], -x * end[1], x * end[0]])
+    np.testing.assert_allclose(dry - wet, known, atol=2e-3 * np.abs(known).max())
+    assert np.abs(end[1]) > 0.02 * np.abs(wet[2])
 
 
 def test_a_print_without_the_square_would_not_pass(last_section):
@@ -341,13 +365,39 @@ def test_each_hull_of_a_joint_body_has_its_own_transom_and_ends_there():
         found.append((body.x[group.stations[transom.row]], y.mean()))
     aft = sections(DELFT)[0].x[0]
     np.testing.assert_allclose(found, [(aft, 1.0), (aft, -1.0), (aft + 0.5, 0.0)], atol=1e-9)
-    volume = sum(np.sum(weights(body.x)[group.stations] * area_under(group.panels)) for group in body.groups)
-    assert volume == pytest.approx(float(hydrostatics(trimaran, 1.0).displacement), rel=0.006)
+    apart = sum(volume(one) for one in strip_bodies(trimaran, 41, 32, False))
+    assert volume(body) == pytest.approx(apart, rel=2e-3)
+    assert apart == pytest.approx(float(hydrostatics(trimaran, 1.0).displacement), rel=0.006)
 
 
-def area_under(wetted):
-    """Areas of the sections, from -int z n_z dl."""
-    return np.sum(wetted.z * wetted.normal_z * wetted.length, axis=-1)
+def volume(body):
+    """Volume under water of a body of strips."""
+    areas = ((group, group.panels.z * group.panels.normal_z * group.panels.length) for group in body.groups)
+    return sum(np.sum(weights(body.x)[group.stations] * area.sum(axis=-1)) for group, area in areas)
+
+
+def test_hulls_together_are_solved_at_every_frequency_met():
+    """Their resonances are sharper than a curve through a few frequencies."""
+    omega, directions = np.linspace(1.0, 3.0, 5), [HEAD, 2.4]
+    settings = StripSettings(interaction="on", stations=5, panels=8, frequencies=8)
+    found = solved(TWIN, omega, directions, 3.0, settings)
+    for row in range(5):
+        for column in range(2):
+            one = solved(TWIN, omega[row], directions[column], 3.0, settings)
+            np.testing.assert_allclose(
+                found.added_mass.values[row, column], one.added_mass.values[0, 0], rtol=1e-6, atol=1e-3
+            )
+
+
+def test_the_stem_of_a_hull_has_the_sway_of_a_plate():
+    """Half of pi rho T^2, the added mass of a plate 2 T high in unbounded water, at low frequency."""
+    (body,) = strip_bodies(ONE, 9, 32, False)
+    (group,) = body.groups
+    assert len(group.stations) == 9
+    potential = radiation_potentials(group.sections, np.array([1e-5]))
+    sway = sectional_matrix(group.panels, potential)[0, :, 0, 0].real
+    assert sway[0] == pytest.approx(np.pi / 2 * WIGLEY.draught**2, rel=0.08)
+    assert sway[-1] == pytest.approx(sway[0], rel=1e-6)
 
 
 def test_the_transom_runs_dry_by_its_own_froude_number():

@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from workbench.conventions import GRAVITY, MODES
+from workbench.conventions import GRAVITY, MODES, encounter_frequency
 from workbench.design import Hull
 from workbench.errors import InputError
 from workbench.geometry.panels import lid_panels, panels
 from workbench.hydrodynamics.radiation import RadiationProblem, radiation
+from workbench.hydrodynamics.section_waves import Waves, arresting_velocity
+from workbench.hydrodynamics.sections import field_potentials, potentials
+from workbench.hydrodynamics.strip_sections import strip_bodies
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.hydrodynamics.strip_wave_field import tunnel_grid, wave_field
 from workbench.relative_motion import scattered_elevation
@@ -58,10 +61,40 @@ def test_the_convective_term_is_the_slope_of_the_elevation_at_rest():
     about = about - ratio * (heave(rest) + ratio * slope(2))  # and the m-term of pitch: heave at -U/(i omega)
     found = moving.radiated_elevation.values[0, 0, 4]
     np.testing.assert_allclose(found, about, atol=0.03 * np.abs(about).max())
+    yaw = rest.radiated_elevation.values[0, 0, 5] + ratio * rest.radiated_elevation.values[0, 0, 1]
+    about = yaw + ratio * (slope(5) + ratio * slope(1))  # the m-term of yaw: sway at U/(i omega)
+    found = moving.radiated_elevation.values[0, 0, 5]
+    np.testing.assert_allclose(found, about, atol=0.03 * np.abs(about).max())
     rise = ahead.diffracted_elevation.values[0, 0] - behind.diffracted_elevation.values[0, 0]
     scattered = rest.diffracted_elevation.values[0, 0] + ratio * rise
     found = moving.diffracted_elevation.values[0, 0]
     np.testing.assert_allclose(found, scattered, atol=0.03 * np.abs(scattered).max())
+
+
+@pytest.mark.parametrize(("speed", "omega", "direction"), [(4.0, 1.2, 2.3), (14.0, 1.3, 0.6)])
+def test_diffraction_amidships_is_driven_at_the_frequency_of_the_wave(speed, omega, direction):
+    """Amidships of a hull alike fore and aft, d/dx is i k cos beta, and omega_e + U k cos beta is omega.
+
+    Where the ship overtakes the waves the potential is minus the conjugate of that of the
+    wave from the other side.
+    """
+    one = Hull(shape=WIGLEY)
+    found = wave_field(one, [omega], [direction], speed, ALONE, [0.0], [5.0]).diffracted_elevation.values[
+        0, 0
+    ]
+    met = encounter_frequency(omega, speed, direction)
+    (body,) = strip_bodies(one, 21, 16, False)
+    (group,) = body.groups
+    middle = int(np.flatnonzero(np.abs(body.x) < 1e-9)[0])
+    side = direction if met > 0 else -direction
+    waves = Waves(np.array([omega]), np.array([side]), np.abs(np.array([met])))
+    velocity = arresting_velocity(group.sections, waves)
+    k = met**2 / GRAVITY * np.ones(1)
+    solved = potentials(group.sections, k, *velocity)
+    y = np.full((len(body.x), 1), 5.0)
+    potential = field_potentials(group.sections, k, *velocity, solved, y, 0 * y)[0, middle, 0, 0]
+    known = 1j * omega / GRAVITY * (potential if met > 0 else -np.conj(potential))
+    assert found[0, 0] == pytest.approx(known, rel=0.01)
 
 
 def test_waves_between_the_hulls_are_those_of_the_panel_method():
