@@ -27,6 +27,7 @@ from workbench.command_inputs import (
     SpeedOption,
     TreatmentOption,
     TunnelOption,
+    WaveFieldOption,
     deck_points_of,
     frequencies_of,
     number_or_word,
@@ -174,6 +175,13 @@ def slam(
     interaction: InteractionOption = "auto",
     speed_treatment: TreatmentOption = "encounter-frequency",
     tunnel_damping: TunnelOption = 0.0,
+    wave_field: WaveFieldOption = "auto",
+    own_wave: Annotated[
+        bool,
+        typer.Option(
+            "--own-wave/--no-own-wave", help="Add the ship's own steady wave, by the high-speed theory."
+        ),
+    ] = False,
     running_trim_degrees: RunningTrimOption = 0.0,
     running_sinkage: RunningSinkageOption = 0.0,
     as_json: JsonOption = False,
@@ -198,7 +206,8 @@ def slam(
         ),
     )
     realisation = Realisation(seed=seed, hours=hours)
-    settings = theory_of(method, settings_of(panels, interaction, speed_treatment, tunnel_damping))
+    panel_settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
+    settings = theory_of(method, panel_settings, wave_field)
     state = running_state_of(running_trim_degrees, running_sinkage)
     law = PressureLaw(name=pressure_law)
     points = deck_points_of(deck_points)
@@ -217,6 +226,7 @@ def slam(
         law=law,
         hours=hours,
         criterion_per_hour=criterion_per_hour,
+        steady_elevation=pipeline.steady_elevation(ship, chosen.wet_deck, points) if own_wave else 0.0,
     )
     _, counts = pipeline.counted_slams(ship, relative, found, realisation)
     values = tables.slamming_table(ship, found, counts, realisation)

@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -13,7 +14,7 @@ from workbench.design import Design
 from workbench.errors import InputError, checked_choice, checked_number
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
 from workbench.hydrodynamics.recommended import METHODS, RecommendedSettings, TheorySettings
-from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.settings import WAVE_FIELDS, PotentialFlowSettings
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.running_state import RunningState
 
@@ -32,6 +33,12 @@ TreatmentOption = Annotated[
 ]
 MethodOption = Annotated[
     str, typer.Option("--method", help="recommended, strip, high-speed or potential-flow.")
+]
+WaveFieldOption = Annotated[
+    str,
+    typer.Option(
+        "--wave-field", help="Water under the deck: auto, incident, or total (with the hulls' waves)."
+    ),
 ]
 RunningTrimOption = Annotated[
     float,
@@ -84,14 +91,18 @@ def settings_of(
     )
 
 
-def theory_of(method: str, panel_settings: PotentialFlowSettings) -> TheorySettings:
+def theory_of(method: str, panel_settings: PotentialFlowSettings, wave_field: str = "auto") -> TheorySettings:
     """Settings of the theory that is asked for.
 
-    Interaction between the hulls goes to every theory, the rest of ``panel_settings`` to the panel method.
+    Interaction between the hulls and ``wave_field`` (auto, incident or total; auto is incident except for the
+    panel method at rest) go to every theory, the rest of ``panel_settings`` to the panel method.
     """
     checked_choice("method", method, METHODS)
-    interaction = panel_settings.interaction
-    strip, high_speed = StripSettings(interaction=interaction), HighSpeedSettings(interaction=interaction)
+    checked_choice("wave-field", wave_field, WAVE_FIELDS)
+    panel_settings = replace(panel_settings, wave_field=wave_field)
+    water = "total" if wave_field == "total" else "incident"
+    both = {"interaction": panel_settings.interaction, "wave_field": water}
+    strip, high_speed = StripSettings(**both), HighSpeedSettings(**both)
     if method == "strip":
         return strip
     if method == "high-speed":

@@ -22,8 +22,9 @@ from workbench.design import Design, WetDeck
 from workbench.errors import InputError, checked_number
 from workbench.geometry.hydrostatics import equilibrium, hydrostatics, stiffness_matrix
 from workbench.geometry.wet_deck import wet_deck_grid
+from workbench.hydrodynamics.own_wave import own_wave
 from workbench.hydrodynamics.recommended import RecommendedSettings, TheorySettings
-from workbench.impact.pressure import PressureLaw
+from workbench.impact.pressure import PressureLaw, velocity_notes
 from workbench.motions import motions
 from workbench.relative_motion import relative_motion
 from workbench.running_state import RunningState
@@ -34,10 +35,6 @@ from workbench.time_domain import Realisation, relative_amplitudes, wave_compone
 
 DECK_POINTS = (40, 10)
 """Points of the deck grid, lengthwise and across."""
-
-
-FASTEST_TRIAL_ENTRY = 6.3
-"""Largest normal velocity of the slams of USNS Hayes that Chuang's pressures were compared with [m/s]."""
 
 
 def silent(fraction: float, message: str) -> None:
@@ -175,6 +172,16 @@ def deck_response(
     return relative_motion(ship.motions, wet_deck_grid(wet_deck, *points), ship.wave_field)
 
 
+def steady_elevation(
+    ship: Response, wet_deck: WetDeck, points: tuple[int, int] = DECK_POINTS
+) -> xr.DataArray:
+    """Rise of the water under the deck by the ship's own steady wave (x, y) [m], by the high-speed theory."""
+    deck = wet_deck_grid(wet_deck, *points)
+    design = ship.design
+    found = own_wave(design.hull, design.masses, design.density, ship.speed, deck.x.values, deck.y.values)
+    return found.steady_elevation
+
+
 def threshold_of(choice: str | float, design: Design) -> float:
     """Threshold velocity [m/s] from 0, a number, or "ochi" (0.093 sqrt(g L))."""
     if choice == "ochi":
@@ -230,7 +237,7 @@ def slamming(
         moments, found, deck, law, ship.design.density, hours
     )
     found["required_height"] = criteria.required_height(moments, criterion_per_hour, least_velocity)
-    of_pressure = (*law.validity, *_velocity_notes(law, found))
+    of_pressure = (*law.validity, *velocity_notes(law, float(found.most_probable_entry_velocity.max())))
     notes = (*quantities.warnings_of(found), *band_notes(energy, condition), *of_pressure)
     found.attrs["warnings"] = quantities.joined_warnings(notes)
     found.attrs["pressure_warnings"] = quantities.joined_warnings(of_pressure)
@@ -250,17 +257,6 @@ def slamming(
         least_clearance=criteria.least_clearance(
             moments, deck.height, wet_deck.clearance, criterion_per_hour, least_velocity
         ),
-    )
-
-
-def _velocity_notes(law: PressureLaw, found: xr.Dataset) -> tuple[str, ...]:
-    """Say so where entries are faster than in the trials behind Chuang's line."""
-    fastest = float(found.most_probable_entry_velocity.max())
-    if not law.name.startswith("chuang") or fastest <= FASTEST_TRIAL_ENTRY:
-        return ()
-    return (
-        f"The hardest entries, {fastest:.1f} m/s, are faster than the {FASTEST_TRIAL_ENTRY} m/s of the full-scale "
-        "trials that Chuang's pressures were compared with.",
     )
 
 

@@ -57,7 +57,12 @@ TABLE: dict[str, Quantity] = {
     "longitudinal_metacentric_height": Quantity("m", "longitudinal metacentric height", "$GM_L$"),
     "block_coefficient": Quantity("1", "block coefficient of one hull", "$C_B$"),
     "hydrostatic_stiffness": Quantity("N/m, N, N m", "hydrostatic stiffness", "$C_{jk}$"),
-    "stiffness_correction": Quantity("N/m, N, N m", "change of hydrostatic stiffness at speed", r"$\Delta C_{jk}$"),
+    "steady_elevation": Quantity("m", "rise of the water by the ship's own wave", r"$\zeta_s$"),
+    "running_sinkage": Quantity("m", "sinkage of the centre of gravity at speed, down", "$s$"),
+    "running_trim": Quantity("rad", "trim at speed, bow down", r"$\theta_s$"),
+    "stiffness_correction": Quantity(
+        "N/m, N, N m", "change of hydrostatic stiffness at speed", r"$\Delta C_{jk}$"
+    ),
     "mass_matrix": Quantity("kg, kg m, kg m2", "mass matrix", "$M_{jk}$"),
     "height": Quantity("m", "height of the wet deck above still water", "$z_d$"),
     "slope_x": Quantity("1", "longitudinal slope of the wet deck", r"$\partial z_d/\partial x$"),

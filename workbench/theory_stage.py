@@ -15,6 +15,7 @@ from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
 from workbench.hydrodynamics.recommended import RecommendedSettings, TheorySettings, reason, recommended
 from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.hydrodynamics.strip_settings import StripSettings
+from workbench.hydrodynamics.strip_wave_field import wave_field
 from workbench.radiation_store import SHORTEST_WAVE, usual_directions, wave_frequencies
 
 USUAL_DIRECTIONS = tuple(np.radians(np.arange(0, 360, 15)).tolist())
@@ -80,8 +81,12 @@ def _by_sections(
     settings: StripSettings | HighSpeedSettings,
 ) -> Found:
     """Return the hydrodynamics by strips or by the march; kept in memory, as it depends on its arguments alone."""
-    theory = strip_theory if isinstance(settings, StripSettings) else high_speed
-    return theory.hydrodynamics(hull, density, omega, directions, speed, settings), None
+    if isinstance(settings, HighSpeedSettings):
+        return high_speed.solution(hull, density, omega, directions, speed, settings)
+    found = strip_theory.hydrodynamics(hull, density, omega, directions, speed, settings)
+    if settings.wave_field == "incident" or hull.count == 1:
+        return found, None
+    return found, wave_field(hull, omega, directions, speed, settings)
 
 
 def _check_frequencies(omega: np.ndarray) -> None:

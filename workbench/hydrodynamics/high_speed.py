@@ -34,8 +34,12 @@ from workbench.hydrodynamics.high_speed_hulls import Stations, all_together, hul
 from workbench.hydrodynamics.high_speed_march import Sectional, Waves, sectional
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings, check_speed, tau, validity_warnings
 from workbench.hydrodynamics.potential_flow import refuse_overtaken_waves
+from workbench.hydrodynamics.strip_wave_field import tunnel_grid
+from workbench.hydrodynamics.wave_fields import elevation_set
 
 SOLVER_VERSION = f"workbench high speed {__version__}"
+FIELD_POINTS = (61, 5)
+"""Points lengthwise and across at which the waves between the hulls are given."""
 _MOST_NODES = 60
 _SPLINE_NODES = 48
 _PHASE_PER_STATION = 0.35
@@ -51,7 +55,21 @@ def hydrodynamics(
     *,
     warnings: Sequence[str] = (),
 ) -> xr.Dataset:
-    """Added mass, damping and wave forces of a ship at high speed, about the origin.
+    """Added mass, damping and wave forces of a ship at high speed: the first part of `solution`."""
+    return solution(hull, density, omega, wave_directions, speed, settings, warnings=warnings)[0]
+
+
+def solution(
+    hull: Hull,
+    density: float,
+    omega: Sequence[float],
+    wave_directions: Sequence[float],
+    speed: float,
+    settings: HighSpeedSettings | None = None,
+    *,
+    warnings: Sequence[str] = (),
+) -> tuple[xr.Dataset, xr.Dataset | None]:
+    """Added mass, damping and wave forces of a ship at high speed, about the origin, and its waves between the hulls.
 
     Parameters
     ----------
@@ -63,7 +81,8 @@ def hydrodynamics(
     Returns
     -------
     Dataset of `coefficient_set`, method "high-speed", and ``stiffness_correction``: what a dry transom takes
-    from the hydrostatic stiffness.
+    from the hydrostatic stiffness. With ``wave_field="total"`` and several hulls also the Dataset of
+    `wave_fields.elevation_set` between the hulls, else None.
 
     Raises
     ------
@@ -86,17 +105,16 @@ def hydrodynamics(
     waves = _met_waves(omega, sides, speed)
     nodes = _nodes(waves.encounter)
     stations = stationed(hull, _station_count(settings, hull.length, speed, nodes[-1]), settings.panels)
-    potentials = _potentials(hull, stations, settings, speed, nodes, waves)
+    with_field = settings.wave_field == "total" and hull.count > 1
+    field_x, field_y = tunnel_grid(hull, FIELD_POINTS) if with_field else (np.zeros(0), np.zeros(0))
+    potentials = _potentials(hull, stations, settings, speed, nodes, waves, field_y)
     family_ends = [
         ends(stations, stations.hulls[numbers[0]], speed, settings.transom == "released")
         for numbers in stations.families
     ]
     radiation, diffraction = forces(potentials, stations, family_ends, speed, density, nodes, waves)
     incident = froude_krylov(stations, family_ends, density, waves)
-    if len(nodes) > 1 and not np.array_equal(nodes, np.unique(waves.encounter)):
-        radiation = CubicSpline(nodes, radiation, axis=0)(waves.encounter)
-    else:
-        radiation = radiation[np.searchsorted(nodes, waves.encounter)]
+    radiation = _at_encounter(nodes, radiation, waves.encounter)
     shape = (len(omega), len(sides))
     mirror = np.where(np.sin(directions) < -1e-9, -1.0, 1.0) if is_symmetric(hull) else None
     radiation = np.conj(radiation).reshape(*shape, 6, 6)[:, where]  # to exp(-i omega t)
@@ -122,7 +140,49 @@ def hydrodynamics(
         quantities.attributes("stiffness_correction")
     )
     found.attrs["lowest_tau"] = lowest
-    return found
+    if not with_field:
+        return found, None
+    radiated, diffracted = _on_grid(stations, potentials, field_x, nodes, waves)
+    radiated = np.conj(radiated).reshape(*shape, 5, *radiated.shape[2:])[:, where]
+    diffracted = np.conj(diffracted).reshape(*shape, *diffracted.shape[1:])[:, where]
+    if mirror is not None:
+        diffracted = np.where((mirror < 0)[:, None, None], diffracted[..., ::-1], diffracted)
+    radiated = np.insert(radiated, 0, 0.0, axis=2)
+    return found, elevation_set(
+        omega,
+        directions,
+        field_x,
+        field_y,
+        radiated=radiated,
+        diffracted=diffracted,
+        speed=speed,
+        method="high-speed",
+    )
+
+
+def _at_encounter(nodes: np.ndarray, values: np.ndarray, encounter: np.ndarray) -> np.ndarray:
+    """Return values (nodes, ...) at the encounter frequencies of waves: as they are, or by a spline."""
+    if np.array_equal(nodes, np.unique(encounter)):
+        return values[np.searchsorted(nodes, encounter)]
+    return CubicSpline(nodes, values, axis=0)(encounter)
+
+
+def _on_grid(
+    stations: Stations, potentials: Sectional, field_x: np.ndarray, nodes: np.ndarray, waves: Waves
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return radiated (waves, 5, x, y) and diffracted (waves, x, y) elevations."""
+    place = np.interp(-field_x, -stations.x, np.arange(len(stations.x)))
+    before = np.minimum(place.astype(int), len(stations.x) - 2)
+    share = place - before
+
+    def at(values):
+        weight = share.reshape(-1, *[1] * (values.ndim - 1))
+        return (1 - weight) * values[before] + weight * values[before + 1]
+
+    radiated = np.moveaxis(at(potentials.radiated_elevation), (3, 2), (0, 1))
+    return _at_encounter(nodes, radiated, waves.encounter), np.moveaxis(
+        at(potentials.diffracted_elevation), -1, 0
+    )
 
 
 def _sides(hull: Hull, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -170,24 +230,31 @@ def _grid(length: float) -> float:
 
 
 def _potentials(
-    hull: Hull, stations: Stations, settings: HighSpeedSettings, speed: float, nodes: np.ndarray, waves: Waves
+    hull: Hull,
+    stations: Stations,
+    settings: HighSpeedSettings,
+    speed: float,
+    nodes: np.ndarray,
+    waves: Waves,
+    field_y: np.ndarray,
 ) -> Sectional:
     """Return the sectional potentials of the whole ship, with the interaction that was asked for."""
-    none = np.zeros(0)
     spacing = _grid(hull.length)
     several = len(stations.hulls) > 1
     apart = together = None
     if not several or settings.interaction != "on":
         solved = {}
         for numbers in stations.families:
-            number = numbers[0]
-            solved[number] = sectional(
-                hull_alone(stations, number), stations, speed, nodes, waves, hull.length, spacing, none
+            problem = hull_alone(stations, numbers[0])
+            beside = np.concatenate([field_y - stations.hulls[number].y for number in numbers])
+            solved[numbers[0]] = sectional(
+                problem, stations, speed, nodes, waves, hull.length, spacing, beside
             )
-        apart = ship_sectional(stations, solved, waves)
+        apart = ship_sectional(stations, solved, waves, len(field_y))
     if several and settings.interaction != "off":
         half_width = hull.length + hull.spacing / 2
-        together = sectional(all_together(stations), stations, speed, nodes, waves, half_width, spacing, none)
+        problem = all_together(stations)
+        together = sectional(problem, stations, speed, nodes, waves, half_width, spacing, field_y)
     if apart is None:
         return together
     if together is None:

@@ -55,17 +55,27 @@ def ends(stations: Stations, hull: StationedHull, speed: float, released: bool) 
     return Ends(weights, stern, hull.aft, weights.last if dry else 0.0)
 
 
-def ship_sectional(stations: Stations, alone: dict[int, Sectional], waves: Waves) -> Sectional:
-    """Sectional potentials of all families in ship axes, each hull by itself; ``alone`` by number of the hull."""
+def ship_sectional(
+    stations: Stations, alone: dict[int, Sectional], waves: Waves, field_points: int = 0
+) -> Sectional:
+    """Sectional potentials of all families in ship axes, each hull by itself.
+
+    Parameters
+    ----------
+    alone : by number of the first hull of each family, with elevations at ``field_points`` points about
+        the axis of each hull of the family in turn.
+    """
     first = next(iter(alone.values()))
     families = stations.families
     count, _, _, _, nodes = first.radiation.shape
     radiation = np.zeros((count, len(families), 3, 5, nodes), complex)
     diffraction = np.zeros((count, len(families), 3, len(waves.omega)), complex)
+    radiated = np.zeros((count, field_points, 5, nodes), complex)
+    diffracted = np.zeros((count, field_points, len(waves.omega)), complex)
     k_y = wavenumber(waves.omega) * np.sin(waves.direction)
     for family, numbers in enumerate(families):
-        for number in numbers:
-            own = alone.get(number, alone[numbers[0]])
+        own = alone[numbers[0]]
+        for place, number in enumerate(numbers):
             y = stations.hulls[number].y
             moved = own.radiation[:, 0].copy()
             moved[:, :, 2] += y * moved[:, :, 1]
@@ -74,7 +84,12 @@ def ship_sectional(stations: Stations, alone: dict[int, Sectional], waves: Waves
             forces = own.diffraction[:, 0] * np.exp(-1j * k_y * y)
             forces[:, 2] += y * forces[:, 1]
             diffraction[:, family] += forces
-    return Sectional(radiation, diffraction, first.radiated_elevation, first.diffracted_elevation)
+            here = slice(place * field_points, (place + 1) * field_points)
+            rise = own.radiated_elevation[:, here].copy()
+            rise[:, :, 2] += y * rise[:, :, 1]
+            radiated += rise
+            diffracted += own.diffracted_elevation[:, here] * np.exp(-1j * k_y * y)
+    return Sectional(radiation, diffraction, radiated, diffracted)
 
 
 def reached(stations: Stations, family: int, encounter: np.ndarray, speed: float) -> np.ndarray:
@@ -109,13 +124,19 @@ def joined(
         radiation[:, family] += share * (together.radiation - apart.radiation)[:, family]
         share = reached(stations, family, waves.encounter, speed)[:, None]
         diffraction[:, family] += share * (together.diffraction - apart.diffraction)[:, family]
-    return Sectional(radiation, diffraction, together.radiated_elevation, together.diffracted_elevation)
+    share = reached(stations, 0, frequencies, speed)[:, None, None]
+    radiated = apart.radiated_elevation + share * (together.radiated_elevation - apart.radiated_elevation)
+    share = reached(stations, 0, waves.encounter, speed)[:, None]
+    diffracted = apart.diffracted_elevation + share * (
+        together.diffracted_elevation - apart.diffracted_elevation
+    )
+    return Sectional(radiation, diffraction, radiated, diffracted)
 
 
-def _lengthwise(
+def lengthwise(
     values: np.ndarray, stations: Stations, end: Ends, frequency: np.ndarray, speed: float
 ) -> np.ndarray:
-    """Integrate (stations, 3, ..., frequency) to six forces (6, ..., frequency) per density."""
+    """Six forces (6, ..., frequency) per density from sectional potentials (stations, 3, ..., frequency)."""
     before = np.concatenate([np.zeros_like(values[:1]), values[:-1]])
     middle = (before + values) / 2
     edges = np.concatenate([[stations.bow], stations.x])
@@ -149,8 +170,8 @@ def forces(
     radiation = np.zeros((6, 5, len(frequencies)), complex)
     diffraction = np.zeros((6, len(waves.omega)), complex)
     for family, end in enumerate(family_ends):
-        radiation += _lengthwise(potentials.radiation[:, family], stations, end, frequencies, speed)
-        diffraction += _lengthwise(potentials.diffraction[:, family], stations, end, waves.encounter, speed)
+        radiation += lengthwise(potentials.radiation[:, family], stations, end, frequencies, speed)
+        diffraction += lengthwise(potentials.diffraction[:, family], stations, end, waves.encounter, speed)
     full = np.zeros((len(frequencies), 6, 6), complex)
     full[:, :, 1:] = density * np.moveaxis(radiation, -1, 0)
     return full, density * diffraction.T

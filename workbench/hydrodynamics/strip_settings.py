@@ -8,6 +8,7 @@ from workbench.errors import InputError, checked_choice, checked_number
 INTERACTION = ("auto", "on", "off")
 TRANSOM = ("auto", "dry", "wet")
 FORMULATIONS = ("full", "heave-only")
+WAVE_FIELDS = ("incident", "total")
 LOW_FROUDE_NUMBER = 0.2
 """Up to here the hulls are solved together unless asked otherwise [-]."""
 HIGH_FROUDE_NUMBER = 0.35
@@ -44,6 +45,7 @@ class StripSettings:
     interaction: str = "auto"
     transom: str = "auto"
     formulation: str = "full"
+    wave_field: str = "incident"
 
     def __post_init__(self):
         for name, least, most in (("stations", 5, 201), ("panels", 8, 120), ("frequencies", 8, 200)):
@@ -57,6 +59,7 @@ class StripSettings:
         checked_choice("interaction", self.interaction, INTERACTION)
         checked_choice("transom", self.transom, TRANSOM)
         checked_choice("formulation", self.formulation, FORMULATIONS)
+        checked_choice("wave_field", self.wave_field, WAVE_FIELDS)
         if self.formulation == "heave-only" and self.interaction == "on":
             raise InputError(
                 "interaction must be off or auto with the heave-only formulation, which takes each hull alone; "
@@ -98,6 +101,10 @@ def validity_warnings(settings: StripSettings, count: int, speed: float, length:
     elif count > 1:
         sentences.append(
             "Each hull is solved alone: waves between the hulls are left out of the coefficients."
+        )
+    if count > 1 and settings.wave_field == "incident":
+        sentences.append(
+            "The water under the deck is the incident wave: what the hulls scatter is left out of it."
         )
     if settings.formulation == "heave-only":
         sentences.append(

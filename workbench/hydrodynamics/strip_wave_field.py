@@ -14,8 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 import xarray as xr
 
-from workbench import quantities
-from workbench.conventions import GRAVITY, MODES, wavenumber
+from workbench.conventions import GRAVITY, wavenumber
 from workbench.design import Hull
 from workbench.errors import InputError, checked_number
 from workbench.geometry.sections import sections
@@ -30,6 +29,7 @@ from workbench.hydrodynamics.strip_forces import at_encounter
 from workbench.hydrodynamics.strip_sections import StationGroup, StripBody, strip_bodies
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.hydrodynamics.strip_theory import met_waves, section_frequencies
+from workbench.hydrodynamics.wave_fields import elevation_set
 
 FIELD_STATIONS = 21
 """Most stations at which the field is solved."""
@@ -107,25 +107,14 @@ def wave_field(
         radiated += np.einsum("wjxy,jk->wkxy", own, shift)
         turn = np.exp(1j * wavenumber(waves.omega) * body.y * np.sin(waves.direction))
         diffracted += turn[:, None, None] * scattered
-    plane = ("field_x", "field_y")
-    return quantities.dataset(
-        {
-            "omega": omega,
-            "wave_direction": directions,
-            "radiating_dof": list(MODES),
-            "field_x": grid[0],
-            "field_y": grid[1],
-        },
+    return elevation_set(
+        omega,
+        directions,
+        *grid,
+        radiated=radiated.reshape(*shape, *radiated.shape[1:]),
+        diffracted=diffracted.reshape(*shape, *diffracted.shape[1:]),
+        speed=speed,
         method="strip",
-        attrs={"speed": float(speed)},
-        radiated_elevation=(
-            ("omega", "wave_direction", "radiating_dof", *plane),
-            radiated.reshape(*shape, *radiated.shape[1:]),
-        ),
-        diffracted_elevation=(
-            ("omega", "wave_direction", *plane),
-            diffracted.reshape(*shape, *diffracted.shape[1:]),
-        ),
     )
 
 

@@ -80,3 +80,17 @@ def peak_pressure(law: PressureLaw, velocity, angle, density: float) -> np.ndarr
     return chuang.impact_pressure(velocity * np.cos(angle), angle, density, small) + chuang.planing_pressure(
         velocity * np.sin(angle), density
     )
+
+
+FASTEST_TRIAL_ENTRY = 6.3
+"""Largest normal velocity of the slams of USNS Hayes that Chuang's pressures were compared with [m/s]."""
+
+
+def velocity_notes(law: PressureLaw, fastest: float) -> tuple[str, ...]:
+    """Say so where entries [m/s] are faster than in the trials behind Chuang's line."""
+    if not law.name.startswith("chuang") or fastest <= FASTEST_TRIAL_ENTRY:
+        return ()
+    return (
+        f"The hardest entries, {fastest:.1f} m/s, are faster than the {FASTEST_TRIAL_ENTRY} m/s of the full-scale "
+        "trials that Chuang's pressures were compared with.",
+    )
