@@ -10,6 +10,7 @@ from workbench.conventions import GRAVITY
 from workbench.geometry.faceted import Panels
 from workbench.hulls import library
 from workbench.hulls.surface_mesh import below_water
+from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.seas import Condition, SeaState
 from workbench.simulation.hull_grid import hull_surface
 from workbench.simulation.incident_pressure import HullInWaves
@@ -22,7 +23,7 @@ SPEED = 15.4333
 def hour() -> list[tuple[str, str, str]]:
     """The 76 m catamaran at 30 knots in head seas, 20 Hz; the force against the mesh cut at the water each time."""
     design = library.design("austal-63")
-    found = pipeline.response(design, SPEED, [np.pi / 2, np.pi])
+    found = pipeline.response(design, SPEED, [np.pi / 2, np.pi], None, PotentialFlowSettings())
     ship = ShipInWaves(design, found.hydrodynamics, found.motions)
     sea = SeaState(significant_wave_height=2.0, peak_period=8.0)
     condition = Condition(speed=SPEED, wave_direction=np.pi, sea_state=sea)

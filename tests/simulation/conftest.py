@@ -7,6 +7,7 @@ from workbench import designs, pipeline
 from workbench.conventions import GRAVITY
 from workbench.geometry.hydrostatics import stiffness_matrix
 from workbench.hydrodynamics import strip_theory
+from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.motions import motions
 from workbench.radiation_store import wave_frequencies
 from workbench.simulation.records import ShipInWaves
@@ -18,7 +19,7 @@ HEADINGS = np.radians([90.0, 150.0, 180.0])
 def respond(method: str, design, speed: float, directions) -> ShipInWaves:
     """Linear response of a design by one method."""
     if method == "potential-flow":
-        found = pipeline.response(design, speed, directions)
+        found = pipeline.response(design, speed, directions, None, PotentialFlowSettings())
         return ShipInWaves(design, found.hydrodynamics, found.motions, found.wave_field)
     omega = wave_frequencies(design.hull.length)
     coefficients = strip_theory.hydrodynamics(design.hull, design.density, omega, directions, speed)

@@ -9,12 +9,15 @@ from workbench.errors import InputError
 from workbench.geometry.hydrostatics import stiffness_matrix
 from workbench.motions import interpolated_motions, mass_matrix, roll_damping, translation_matrix
 from workbench.seas import Condition, SeaState, wave_spectrum
-from workbench.simulation.cummins import DepartureEquation, departures
+from workbench.simulation.cummins import DepartureEquation, departures, simulated_departure
+from workbench.simulation.hull_grid import hull_surface
+from workbench.simulation.incident_pressure import HullInWaves
 from workbench.simulation.records import ShipInWaves, departure_equation, simulation
 from workbench.simulation.retardation import RadiationOperator, radiation_forces
-from workbench.time_domain import Realisation, components_from, wave_components
+from workbench.time_domain import Realisation, components_from, motion_amplitudes, wave_components
 
 STEP = 0.0111
+VERTICAL = [2, 4]
 HEAD, OBLIQUE = np.pi, np.radians(150.0)
 
 
@@ -120,6 +123,21 @@ def test_departure_is_of_second_order_in_the_waves(any_ship):
         sizes.append(float((found.motion - found.linear_motion).sel(dof="heave").std()))
     assert sizes[1] / sizes[0] == pytest.approx(4.0, abs=1.5)
     assert sizes[0] > 0
+
+
+def test_departure_is_at_its_time_whatever_the_lead_in(ship):
+    """A longer lead-in changes nothing that has settled: departure and linear motion share their clock."""
+    speed, centre = ship.motions.attrs["speed"], np.array(ship.design.masses.centre_of_gravity)
+    waves = components_from(4.0, 0.008, 0.3, HEAD, speed)
+    surface = hull_surface(ship.design.hull, centre, 300)
+    in_waves = HullInWaves(surface, centre, waves, ship.design.density)
+    own, equation = motion_amplitudes(waves, ship.motions), departure_equation(ship, STEP)
+    short, long = (
+        simulated_departure(equation, in_waves, own, steps=400, lead_in=lead_in).departure[:, VERTICAL]
+        for lead_in in (700, 1300)
+    )
+    size = np.abs(long).max(axis=0)
+    np.testing.assert_allclose(short / size, long / size, atol=0.02)
 
 
 def test_modes_without_restoring_keep_to_the_linear_solution(ship):

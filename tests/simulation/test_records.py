@@ -9,13 +9,18 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from workbench import cli, designs, pipeline, simulate_command, simulation_files
+from workbench import cli, designs, pipeline, simulate_command, simulation_files, simulation_stage
 from workbench.conventions import GRAVITY
 from workbench.errors import InputError
+from workbench.hydrodynamics.recommended import RecommendedSettings
+from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.relative_motion import relative_motion
+from workbench.running_state import RunningState
 from workbench.seas import Condition, SeaState
-from workbench.simulate_command import points_of, simulated_regular_wave, simulated_sea
+from workbench.simulate_command import points_of
 from workbench.simulation.records import ShipInWaves, simulation
+from workbench.simulation_stage import one_theory, simulated_regular_wave, simulated_sea
 from workbench.slamming import events
 from workbench.time_domain import Realisation, components_from, relative_amplitudes, wave_components
 
@@ -41,7 +46,9 @@ def non_linear(ship, waves):
 
 
 def respond(design, speed):
-    return lambda directions, omega: pipeline.response(design, speed, directions, omega)
+    return lambda directions, omega: pipeline.response(
+        design, speed, directions, omega, PotentialFlowSettings()
+    )
 
 
 def test_linear_records_have_the_spectral_deviations(ship, waves, linear):
@@ -108,8 +115,6 @@ def test_same_seed_gives_the_same_records(ship):
 
 def test_records_obey_froudes_law(twin):
     """A ship of twice the size in waves of twice the size moves alike, slower by the root of two."""
-    from workbench.hydrodynamics.settings import PotentialFlowSettings
-
     found = []
     for scale in (1.0, 2.0):
         design = twin if scale == 1 else twin.scaled(scale)
@@ -183,6 +188,41 @@ def test_refusals_say_what_is_wrong(ship, waves):
         simulated_regular_wave(design, speed, np.pi, 1e-4, 60.0, respond(design, speed), hours=0.01)
 
 
+def test_one_theory_serves_all_headings():
+    """Where one theory is recommended for all headings it is taken, else strip theory."""
+    settings, length = RecommendedSettings(), 70.0
+    fast = 0.4 * float(np.sqrt(GRAVITY * length))
+    assert one_theory(settings, length, fast, [np.pi]) is settings.high_speed
+    assert one_theory(settings, length, fast, [np.pi, 0.3]) is settings.strip
+    assert one_theory(settings, length, 0.0, [np.pi, 0.3]) is settings.potential_flow
+    assert one_theory(settings.strip, length, 0.0, [np.pi]) is settings.strip
+
+
+def test_running_attitude_is_that_of_the_wet_hull(monkeypatch):
+    """The surface is that of the ship as it runs, as for the hydrodynamics."""
+    design, seen = designs.named_design("delft-372"), []
+    speed = 0.3 * float(np.sqrt(GRAVITY * design.hull.length))
+
+    def noted(ship, *others, **named):
+        seen.append(ship.design.hull.trim)
+        return simulation(ship, *others, **named)
+
+    monkeypatch.setattr(simulation_stage, "simulation", noted)
+    state = RunningState(running_trim=-0.01)
+    simulated_regular_wave(
+        design,
+        speed,
+        np.pi,
+        0.01,
+        4.0,
+        lambda directions, omega: pipeline.response(
+            design, speed, directions, omega, StripSettings(), running_state=state
+        ),
+        hours=0.001,
+    )
+    assert seen == [-0.01]
+
+
 @pytest.fixture
 def command(monkeypatch):
     if not any(entry.callback is simulate_command.simulate for entry in cli.application.registered_commands):
@@ -193,7 +233,16 @@ def command(monkeypatch):
 
 def run(capsys, *arguments):
     code = 0
-    sys.argv = ["workbench", "simulate", "delft-372", "--froude", "0.3", *map(str, arguments)]
+    sys.argv = [
+        "workbench",
+        "simulate",
+        "delft-372",
+        "--froude",
+        "0.3",
+        "--method",
+        "potential-flow",
+        *map(str, arguments),
+    ]
     try:
         cli.main()
     except SystemExit as stop:

@@ -83,6 +83,12 @@ def test_ringing_coefficients_get_a_passive_operator():
     assert unstable_motions(chosen, mass, stiffness) == 0
 
 
+def test_passive_operator_takes_no_energy_from_negative_damping():
+    mass, stiffness, force = np.full((1, 1), 1.0), np.full((1, 1), 5.0), known_force(size=-3.0)
+    assert unstable_motions(fitted_operator(OMEGA, force, LENGTH, STEP, True), mass, stiffness) > 0
+    assert unstable_motions(passive_operator(OMEGA, force, LENGTH, STEP, True), mass, stiffness) == 0
+
+
 def test_growing_motions_are_counted():
     mass, stiffness = np.diag([1.0, 2.0]), np.diag([4.0, 3.0])
     kernel = np.zeros((10, 2, 2))

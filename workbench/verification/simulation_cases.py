@@ -42,7 +42,7 @@ def _delft(method: str) -> ShipInWaves:
     ship = design("delft-372")
     speed, headings = 0.3 * float(np.sqrt(GRAVITY * ship.hull.length)), [np.pi / 2, np.pi]
     if method == "potential-flow":
-        found = pipeline.response(ship, speed, headings)
+        found = pipeline.response(ship, speed, headings, None, PotentialFlowSettings())
         return ShipInWaves(ship, found.hydrodynamics, found.motions)
     omega = wave_frequencies(ship.hull.length)
     coefficients = strip_theory.hydrodynamics(ship.hull, ship.density, omega, headings, speed)
