@@ -111,27 +111,35 @@ def _mesh_sections(hull: Hull, index: int, stations: int, points: int) -> HullSe
 def _cut_contour(triangles: np.ndarray, x: float) -> np.ndarray:
     """Return the contour (n, 2) of triangles (m, 3, 3) at x, ordered from starboard to port."""
     near = triangles[(triangles[..., 0].min(axis=1) < x) & (triangles[..., 0].max(axis=1) >= x)]
-    points = []
-    for a, b in ((0, 1), (1, 2), (2, 0)):
-        first, second = near[:, a], near[:, b]
-        crossed = (first[:, 0] < x) != (second[:, 0] < x)
-        share = (x - first[crossed, 0]) / (second[crossed, 0] - first[crossed, 0])
-        points.append(first[crossed, 1:] + share[:, None] * (second[crossed, 1:] - first[crossed, 1:]))
-    found = np.unique(np.round(np.concatenate(points), 9), axis=0)
-    return _chained(found)
+    edges = np.stack([near, np.roll(near, -1, axis=1)], axis=2)  # (triangles, 3 edges, 2 ends, 3)
+    below = edges[..., 0] < x
+    crossed = below[..., 0] != below[..., 1]  # two edges of every triangle here
+    start, end = np.moveaxis(edges[crossed], 1, 0)
+    share = (x - start[:, 0]) / (end[:, 0] - start[:, 0])
+    ends = start[:, 1:] + share[:, None] * (end[:, 1:] - start[:, 1:])
+    points, numbers = np.unique(np.round(ends, 9), axis=0, return_inverse=True)
+    return _chained(points, numbers.reshape(-1, 2))
 
 
-def _chained(points: np.ndarray) -> np.ndarray:
-    """Return scattered points of an open contour in order, each next one the nearest left."""
+def _chained(points: np.ndarray, pieces: np.ndarray) -> np.ndarray:
+    """Return the points of an open contour in order along its pieces (m, 2), from starboard.
+
+    Where no piece leads on, the nearest point left follows.
+    """
     if len(points) < 2:
         return np.repeat(points, 2, axis=0)
+    neighbours: list[set[int]] = [set() for _ in points]
+    for one, other in pieces.tolist():
+        neighbours[one].add(other)
+        neighbours[other].add(one)
     at_waterline = np.flatnonzero(points[:, 1] > points[:, 1].max() - 1e-6 * max(np.ptp(points), 1e-12))
-    start = at_waterline[np.argmin(points[at_waterline, 0])]
-    left = list(range(len(points)))
-    order = [left.pop(int(start))]
+    order = [int(at_waterline[np.argmin(points[at_waterline, 0])])]
+    left = set(range(len(points))) - set(order)
     while left:
-        steps = np.linalg.norm(points[left] - points[order[-1]], axis=1)
-        order.append(left.pop(int(np.argmin(steps))))
+        leading = sorted(neighbours[order[-1]] & left) or sorted(left)
+        steps = np.linalg.norm(points[leading] - points[order[-1]], axis=1)
+        order.append(leading[int(np.argmin(steps))])
+        left.discard(order[-1])
     return points[order]
 
 
