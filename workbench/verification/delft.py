@@ -12,8 +12,12 @@ import numpy as np
 from workbench import pipeline
 from workbench.conventions import GRAVITY
 from workbench.design import Design
+from workbench.geometry.hydrostatics import longitudinal_stiffness_about, stiffness_matrix
 from workbench.hulls.library import design
+from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
+from workbench.hydrodynamics.recommended import RecommendedSettings
 from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.motions import lead_over_wave, translation_matrix
 from workbench.verification import published
 
@@ -22,8 +26,12 @@ TREATMENTS = {
     "apart": PotentialFlowSettings(interaction="off"),
     "together": PotentialFlowSettings(interaction="on"),
     "forward-speed": PotentialFlowSettings(interaction="on", speed_treatment="forward-speed"),
+    "strip": StripSettings(),
+    "high-speed": HighSpeedSettings(),
+    "recommended": RecommendedSettings(),
 }
-"""How the hulls are solved: each alone, both as one, and both by Capytaine's own forward-speed option."""
+"""How the motions are computed: panel method with each hull alone, both as one, and both by Capytaine's own
+forward-speed option; strip theory; high-speed theory; and what is recommended at the speed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +66,12 @@ class Comparison:
         """Mean difference of phase where the measured amplitude is above a quarter of its peak [rad]."""
         away = np.angle(np.exp(1j * (self.computed_lead - self.measured_lead)))
         return float(away[self.measured > 0.25 * self.measured.max()].mean())
+
+    @property
+    def largest_lead_difference(self) -> float:
+        """Largest difference of phase where the measured amplitude is above a quarter of its peak [rad]."""
+        away = np.angle(np.exp(1j * (self.computed_lead - self.measured_lead)))
+        return float(np.abs(away[self.measured > 0.25 * self.measured.max()]).max())
 
 
 @cache
@@ -187,8 +201,50 @@ def oscillation(froude_number: float, mode: str, quantity: str, treatment: str) 
     # in beam waves the encounter frequency is the wave's: the coefficients at these very frequencies
     response = _response(model(), froude_number, treatment, tuple(omega.tolist()), 90.0)
     to_origin = np.linalg.inv(translation_matrix(model().masses.centre_of_gravity))
-    matrix = to_origin.T @ response.hydrodynamics[quantity].values[:, 0] @ to_origin
+    matrix = response.hydrodynamics[quantity].values[:, 0]
+    if quantity == "added_mass" and "stiffness_correction" in response.hydrodynamics:
+        # the experiment subtracts the whole hydrostatic stiffness, and books what is missing of it as added mass
+        missing = response.hydrodynamics.stiffness_correction.values[0]
+        matrix = matrix - missing / omega[:, None, None] ** 2
+    matrix = to_origin.T @ matrix @ to_origin
     index = {"heave": 2, "pitch": 4}[mode]
     column = {"added_mass": "added_mass_own", "radiation_damping": "damping_own"}[quantity]
     none = np.zeros(0)
     return Comparison(table["frequency"], table[column], matrix[:, index, index], none, none)
+
+
+def heave_from_measured(froude_number: float) -> float:
+    """Heave peak that follows from the measured coefficients and wave loads, over the measured peak [-].
+
+    Coefficients and loads are interpolated linearly; waves as in the towing-tank motions.
+    """
+    motion_table = published.columns("veer_1998_head_sea_motions", froude_number=froude_number)
+    ratios = motion_table["wavelength_over_length"]
+    omega = wave_frequency(ratios)
+    speed = froude_number * np.sqrt(GRAVITY * LENGTH)
+    encounter = omega + omega**2 / GRAVITY * speed
+    masses, hull = model().masses, model().hull
+    stiffness = longitudinal_stiffness_about(
+        stiffness_matrix(hull, masses, model().density), masses.centre_of_gravity[0]
+    )
+    system = np.tile(stiffness.astype(complex), (len(omega), 1, 1))
+    inertia = masses.mass * np.diag([1.0, masses.pitch_gyradius**2])
+    system -= encounter[:, None, None] ** 2 * inertia
+    for column, mode in enumerate(("heave", "pitch")):
+        table = published.columns("veer_1998_forced_oscillation", froude_number=froude_number, mode=mode)
+        frequency = table["frequency"] * np.sqrt(GRAVITY / LENGTH)
+        for row, which in ((column, "own"), (1 - column, "cross")):
+            added = np.interp(encounter, frequency, table[f"added_mass_{which}"])
+            damping = np.interp(encounter, frequency, table[f"damping_{which}"])
+            system[:, row, column] += -(encounter**2) * added + 1j * encounter * damping
+    loads = published.columns("veer_1998_wave_loads", froude_number=froude_number)
+    amplitude = loads["wave_amplitude_mm"] / 1000
+    force = np.empty((len(omega), 2), complex)
+    for row, name in enumerate(("force", "moment")):
+        phasor = loads[name] / amplitude * np.exp(1j * np.radians(loads[f"{name}_lead_deg"]))
+        rises = np.argsort(loads["wavelength_over_length"])
+        place = loads["wavelength_over_length"][rises]
+        real = np.interp(ratios, place, phasor[rises].real)
+        force[:, row] = real + 1j * np.interp(ratios, place, phasor[rises].imag)
+    heave = np.linalg.solve(system, force[..., None])[:, 0, 0]
+    return float(np.abs(heave).max() / motion_table["heave"].max())
