@@ -116,7 +116,7 @@ def summary_text(values: dict) -> str:
         f"{values['design']}: {values['method']}, {values['speed']:.2f} m/s (Fn {values['froude_number']:.3f}), "
         f"{values['waves']}, {values['duration']:.0f} s",
         f"  wave at the centre of gravity: standard deviation {values['elevation_std']:.3g} m",
-        "            std      linear   least    largest",
+        "                std     linear      least    largest",
     ]
     for mode, found in values["motions"].items():
         turn, unit = (180 / np.pi, "degrees") if mode in ROTATIONS else (1.0, "m")
@@ -124,7 +124,7 @@ def summary_text(values: dict) -> str:
             found[name] * turn if name in found else np.nan
             for name in ("std", "linear_std", "least", "largest")
         ]
-        shown = "".join(f"{cell:>9.3g}" if np.isfinite(cell) else f"{'-':>9}" for cell in cells)
+        shown = "".join(f"{cell:>11.3g}" if np.isfinite(cell) else f"{'-':>11}" for cell in cells)
         lines.append(f"  {mode:<6}{shown}  {unit}")
     for point in values["points"]:
         slams = "no wet deck here" if point["slams"] is None else f"{point['slams']} slams"

@@ -75,6 +75,16 @@ def test_slams_of_linear_records_are_those_that_are_counted_on_the_deck(ship, wa
     assert int(linear.slam_count[0]) == pytest.approx(counted.sizes["event"], abs=1)
 
 
+@pytest.mark.parametrize("step", [0.011180339887498949, 0.0111, 0.01])
+def test_every_step_has_its_record(ship, waves, step):
+    """Whatever the rounding of the last time."""
+    for samples in (97, 161, 322, 643):
+        found = simulation(ship, waves, samples * step, step, forces="linear")
+        assert found.sizes["time"] == found.motion.shape[0] == len(found.elevation)
+    duration = 36.0
+    assert simulation(ship, waves, duration, step, forces="linear").time[-1] >= duration - 1e-9
+
+
 def test_points_off_the_deck_have_no_slams(linear):
     assert int(linear.slam_count[2]) == -1
     assert np.isnan(linear.deck_height[2])

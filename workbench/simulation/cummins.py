@@ -151,7 +151,7 @@ def simulated_departure(
     shared = np.concatenate([motion_amplitudes, wave_force, ship.amplitudes()], axis=1)
     shared = shared * np.exp(1j * frequency * lead_in * step)[:, None]
     total = lead_in + steps
-    blocks = record_blocks(shared, frequency, (total - 1) * step, step, block=BLOCK)
+    blocks = record_blocks(shared, frequency, (total - 1.5) * step, step, block=BLOCK)
     modes = list(equation.modes)
     state: dict = {"start": 0, "rows": np.zeros((0, shared.shape[1])), "dry": 0}
     flights, covered = np.zeros(total, bool), np.zeros(total, bool)

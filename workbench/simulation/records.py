@@ -109,7 +109,9 @@ def simulation(
     places = np.asarray(points, float).reshape(-1, 2)
     relative = _relative_amplitudes(ship, components, places)
     together = np.concatenate([wave[:, None], relative, own], axis=1)
-    blocks = [part for _, part in record_blocks(together, frequency, times[-1], time_step)]
+    blocks = [
+        part for _, part in record_blocks(together, frequency, (len(times) - 1.5) * time_step, time_step)
+    ]
     series = np.concatenate(blocks, axis=1).astype(float)
     elevation, water, linear = series[0], series[1 : 1 + len(places)].T, series[1 + len(places) :].T
     variables, notes = {}, ()
