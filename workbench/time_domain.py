@@ -16,7 +16,7 @@ import xarray as xr
 from workbench import quantities
 from workbench.conventions import MODES, encounter_frequency, wavenumber
 from workbench.errors import InputError, checked_choice, checked_number
-from workbench.motions import interpolated_motions
+from workbench.motions import between, interpolated_motions
 from workbench.relative_motion import incident_elevation, vertical_motion
 from workbench.seas import Condition, wave_spectrum
 
@@ -180,8 +180,8 @@ def relative_amplitudes(
         rao = motion_set.motion_rao.values[:, direction]
         total = relative.relative_motion.values[:, direction] + vertical_motion(rao, centre, x, y)
         slope = relative.relative_slope.values[:, direction] - rao[:, 4, None, None]
-        elevation[mine] = incident[mine] * _interpolated(nodes, total / at_nodes, omega[mine])
-        along[mine] = incident[mine] * _interpolated(nodes, slope / at_nodes, omega[mine])
+        elevation[mine] = incident[mine] * between(nodes, total / at_nodes, omega[mine])
+        along[mine] = incident[mine] * between(nodes, slope / at_nodes, omega[mine])
     return elevation - vertical_motion(own, centre, x, y), along + own[:, 4, None, None]
 
 
@@ -189,16 +189,6 @@ def _nearest_direction(motion_set: xr.Dataset, components: xr.Dataset) -> np.nda
     """Index of the computed heading nearest to each component's direction."""
     away = components.component_direction.values[:, None] - motion_set.wave_direction.values[None, :]
     return np.argmin(np.abs(np.angle(np.exp(1j * away))), axis=1)
-
-
-def _interpolated(nodes: np.ndarray, values: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-    """Linear interpolation along the first axis of a complex table."""
-    if len(nodes) == 1:
-        return np.repeat(values, len(wanted), axis=0)
-    upper = np.clip(np.searchsorted(nodes, wanted), 1, len(nodes) - 1)
-    share = np.clip((wanted - nodes[upper - 1]) / (nodes[upper] - nodes[upper - 1]), 0, 1)
-    share = share.reshape(-1, *[1] * (values.ndim - 1))
-    return values[upper - 1] * (1 - share) + values[upper] * share
 
 
 def sampling_times(duration: float, time_step: float) -> np.ndarray:
