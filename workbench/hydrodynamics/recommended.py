@@ -13,6 +13,10 @@ from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.hydrodynamics.strip_settings import StripSettings
 
 METHODS = ("recommended", "strip", "high-speed", "potential-flow")
+THEORY_NAMES = {"strip": "strip theory", "high-speed": "high-speed theory", "potential-flow": "panel method"}
+"""Theories in words."""
+IN_A_SENTENCE = {**THEORY_NAMES, "potential-flow": "the panel method"}
+"""Theories in words, within a sentence."""
 GOVERNING_WAVES = (1.0, 2.0)
 """Shortest and longest of the waves that move a ship most in head seas, in ship lengths [-]."""
 
@@ -82,11 +86,6 @@ def recommended(
 def reason(length: float, speed: float, chosen: Sequence[str]) -> str:
     """Sentence on the choice."""
     froude = froude_number(speed, length)
-    theories = {
-        "strip": "strip theory",
-        "high-speed": "high-speed theory",
-        "potential-flow": "the panel method",
-    }
-    names = " and ".join(dict.fromkeys(theories[one] for one in chosen))
+    names = " and ".join(dict.fromkeys(IN_A_SENTENCE[one] for one in chosen))
     split = ", by heading" if len(set(chosen)) > 1 else ""
     return f"Recommended at Fn {froude:.2f}: {names}{split}."
