@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tests.benchmarks import app, simulation
+from tests.benchmarks import app, simulation, theories
 from workbench import pipeline
 from workbench.conventions import GRAVITY
 from workbench.hulls import library
@@ -153,7 +153,14 @@ def capytaine() -> list[Row]:
     ]
 
 
-BENCHMARKS = {"slider": slider, "hour": hour, "capytaine": capytaine, "app": app.page, "simulation": simulation.hour}
+BENCHMARKS = {
+    "slider": slider,
+    "hour": hour,
+    "capytaine": capytaine,
+    "theories": theories.theories,
+    "app": app.page,
+    "simulation": simulation.hour,
+}
 
 
 def main(names: list[str]) -> None:
