@@ -239,7 +239,7 @@ def passage(
     for number, contour in enumerate(contours):
         rate = _times(water.vertical_velocity, values)
         if contour is not None:
-            wet = ~_inside(water.y, contour)
+            wet = ~np.any([_covered(water, sides) for sides in contour.waterlines], axis=0)
             own, velocity = contour.influence(contour.centres, water.parity, on_panels=True)
             normals = contour.normals
             below, below_normal = water.continuation(contour.centres, normals)
@@ -271,17 +271,15 @@ def _times(matrix: np.ndarray, columns: np.ndarray) -> np.ndarray:
     return (matrix @ columns.view(float)).view(complex)
 
 
-def _inside(y: np.ndarray, contour: Contour) -> np.ndarray:
-    """Return which points of the water surface are inside a hull."""
-    inside = np.zeros(len(y), bool)
-    for starboard, port in contour.waterlines:
-        inside |= (y > starboard) & (y < port)
-    return inside
+def _covered(water: Water, sides: tuple[float, float]) -> np.ndarray:
+    """Return which points of the water surface are inside a hull; half a hull covers the centreline too."""
+    half = water.parity and sides[0] <= 0.0
+    return (water.y < sides[1]) & (half or water.y > sides[0])
 
 
 def _bridge(water: Water, sides: tuple[float, float], values: np.ndarray) -> None:
     """Interpolate values across a hull, in place."""
-    covered = np.flatnonzero((water.y > sides[0]) & (water.y < sides[1]))
+    covered = np.flatnonzero(_covered(water, sides))
     if not covered.size:
         return
     low, high = covered[0] - 1, covered[-1] + 1
