@@ -25,9 +25,15 @@ _SCALES: dict[str, tuple[str, float]] = {
 _LABEL = re.compile(r"^\s*(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]\s*$")
 
 
+_SUFFIX = re.compile(r"^(?P<name>.+)_(?P<unit>m|mm|s|rad|deg|degrees)$")
+
+
 def split_label(label: str) -> tuple[str, str]:
-    """Return name and unit of a column's label; the unit is empty if none is given in brackets."""
-    found = _LABEL.match(label)
+    """Return name and unit of a column's label; the unit is empty if none is given.
+
+    Units stand in brackets, 'pitch [deg]', or, some of length, angle and time, at the end: 'pitch_deg'.
+    """
+    found = _LABEL.match(label) or _SUFFIX.match(label.strip())
     if found is None:
         return label.strip(), ""
     return found["name"].strip(), found["unit"].strip()
