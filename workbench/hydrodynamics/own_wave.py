@@ -49,7 +49,9 @@ def own_wave(
     Notes
     -----
     Linear; fair from Fn 0.5 up. The trim of the Delft 372 comes out at 1.4 degrees by the stern at Fn 0.75
-    (measured 1.35), her sinkage within 2 mm; at Fn 0.30 her trim is 0.7 degrees too far by the stern.
+    (measured 1.35), her sinkage within 2 mm; at Fn 0.30 her trim is 0.7 degrees too far by the stern. The
+    hull in its running attitude *and* her own wave together lie close to the waterline at rest (within a
+    tenth of the draught amidships at Fn 0.75): motions are best computed with both or with neither.
     """
     settings = settings or HighSpeedSettings()
     checked_number("speed", speed, "m/s", at_least=0, at_most=60)
@@ -58,17 +60,17 @@ def own_wave(
     field_x, field_y = np.asarray(field_x, float), np.asarray(field_y, float)
     together = len(stations.hulls) > 1 and settings.interaction != "off"
     problems = (
-        [(all_together(stations), field_y, 1.0)]
+        [(all_together(stations), field_y)]
         if together
         else [
-            (hull_alone(stations, numbers[0]), field_y - stations.hulls[number].y, 1.0)
+            (hull_alone(stations, numbers[0]), field_y - stations.hulls[number].y)
             for numbers in stations.families
             for number in numbers
         ]
     )
     elevation = np.zeros((len(stations.x), len(field_y)))
     force = np.zeros(6)
-    for number, (problem, beside, _) in enumerate(problems):
+    for number, (problem, beside) in enumerate(problems):
         found = _march(
             problem, stations, speed, beside, hull.length + (hull.spacing / 2 if together else 0.0)
         )

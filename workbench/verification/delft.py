@@ -15,6 +15,7 @@ from workbench.design import Design
 from workbench.geometry.hydrostatics import longitudinal_stiffness_about, stiffness_matrix
 from workbench.hulls.library import design
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
+from workbench.hydrodynamics.own_wave import own_wave
 from workbench.hydrodynamics.recommended import RecommendedSettings
 from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.hydrodynamics.strip_settings import StripSettings
@@ -248,3 +249,12 @@ def heave_from_measured(froude_number: float) -> float:
         force[:, row] = real + 1j * np.interp(ratios, place, phasor[rises].imag)
     heave = np.linalg.solve(system, force[..., None])[:, 0, 0]
     return float(np.abs(heave).max() / motion_table["heave"].max())
+
+
+@cache
+def running_attitude(froude_number: float) -> tuple[float, float]:
+    """Computed running sinkage of the centre of gravity [mm, down] and trim [degrees, bow down] of the towed model."""
+    ship = model()
+    speed = froude_number * np.sqrt(GRAVITY * LENGTH)
+    found = own_wave(ship.hull, ship.masses, ship.density, speed, [0.0], [0.0])
+    return 1000 * float(found.running_sinkage), float(np.degrees(found.running_trim))

@@ -18,7 +18,7 @@ from workbench.conventions import GRAVITY
 from workbench.geometry.hydrostatics import hydrostatics, longitudinal_stiffness_about, stiffness_matrix
 from workbench.verification import delft, published
 from workbench.verification.case import Case
-from workbench.verification.delft_misses import MISSES, UNLIKE, reason
+from workbench.verification.delft_misses import MISSES, RUNNING, UNLIKE, reason
 
 MOTION_TOLERANCE, LEAD_TOLERANCE, PEAK_TOLERANCE = 0.10, 10.0, 0.18
 LARGEST_LEAD_TOLERANCE, LOAD_TOLERANCE, COEFFICIENT_TOLERANCE = 20.0, 0.15, 0.20
@@ -134,6 +134,35 @@ def _closure_cases() -> list[Case]:
     ]
 
 
+def _attitude_cases() -> list[Case]:
+    """Return the running attitude from the ship's own wave against the measured one."""
+    made = []
+    for froude_number in (0.3, 0.75):
+        table = published.columns("veer_1998_running_attitude", froude_number=froude_number)
+        for place, (column, unit, tolerance) in enumerate(
+            (("sinkage_mm", "mm", 3.0), ("trim_degrees", "degrees", 0.1))
+        ):
+            name = f"delft-running-{column.split('_')[0]}-fn{froude_number}".replace(".", "")
+            made.append(
+                Case(
+                    id=name,
+                    title=f"running {column.split('_')[0]}, Fn {froude_number}, from the ship's own wave",
+                    kind="published",
+                    source=published.citation("veer_1998_running_attitude"),
+                    published=float(table[column][0]),
+                    computed=lambda froude_number=froude_number, place=place: delft.running_attitude(
+                        froude_number
+                    )[place],
+                    tolerance=tolerance,
+                    unit=unit,
+                    miss=RUNNING if name in MISSES else "",
+                    miss_figure=MISSES.get(name),
+                    miss_band=0.3,
+                )
+            )
+    return made
+
+
 def _hydrostatic(name: str) -> float:
     ship = delft.model()
     if name == "displacement":
@@ -227,4 +256,4 @@ def cases() -> list[Case]:
                 slow="forward-speed" in name,
             )
         )
-    return made + _closure_cases() + _trend_cases()
+    return made + _closure_cases() + _attitude_cases() + _trend_cases()

@@ -43,6 +43,11 @@ UNLIKE = (
     "give 1.5 times the measured heave at both speeds; the measured damping is low against the measured motions"
 )
 
+RUNNING = (
+    "the march from the bow leaves out the waves that run with the ship, which carry most of her sinkage and trim "
+    "at Fn 0.30"
+)
+
 MISSES: dict[str, float] = {
     "delft-heave-fn03-apart": 0.127,
     "delft-pitch-fn03-together": 0.185,
@@ -106,6 +111,8 @@ MISSES: dict[str, float] = {
     "delft-radiation-damping-pitch-fn075-recommended": 0.358,
     "delft-free-pitch-180-fn075-recommended": 0.122,
     "delft-free-pitch-195-fn075-recommended": 0.101,
+    "delft-running-sinkage-fn03": -0.48,
+    "delft-running-trim-fn03": -0.77,
     "delft-heave-from-measured-fn03": 1.525,
     "delft-heave-from-measured-fn075": 1.552,
 }
