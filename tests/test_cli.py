@@ -192,7 +192,18 @@ BAD = {
     "negative speed": (("rao", "delft-372", "--speed-knots", "-3", "--omega", "2:3:2"), "speed"),
     "nan froude": (("rao", "delft-372", "--froude", "nan", "--omega", "2:3:2"), "froude"),
     "overtaking": (
-        ("rao", "delft-372", "--method", "high-speed", "--froude", "0.6", "--heading-degrees", "0", "--omega", "2:6:3"),
+        (
+            "rao",
+            "delft-372",
+            "--method",
+            "high-speed",
+            "--froude",
+            "0.6",
+            "--heading-degrees",
+            "0",
+            "--omega",
+            "2:6:3",
+        ),
         "overtakes",
     ),
     "method": (("rao", "delft-372", "--froude", "0", "--omega", "2:3:2", "--method", "magic"), "method"),
@@ -326,3 +337,75 @@ def test_installed_command_starts_without_the_solver():
     )
     assert found.returncode == 0, found.stderr
     assert "delft-372" in found.stdout
+
+
+RAO = ("rao", "delft-372", "--froude", "0.3", "--wavelength-ratio", "1:2:3", "--json")
+
+
+@pytest.mark.parametrize("method", ["recommended", "strip", "high-speed"])
+def test_rao_takes_a_theory(capsys, method):
+    code, out, err = run(capsys, *RAO, "--method", method)
+    values = json.loads(out)
+    assert code == 0
+    assert values["method"] == ("high-speed" if method == "recommended" else method)
+    assert ("Recommended at Fn 0.30: high-speed theory" in values["recommendation"]) == (
+        method == "recommended"
+    )
+    assert 0.8 < max(values["heave"]["amplitude"]) < 2.0
+    assert values["wavelength_ratio"] == sorted(values["wavelength_ratio"])
+
+
+def test_theories_and_running_attitude_and_held_modes_reach_the_numbers(capsys):
+    def heave(*options):
+        code, out, err = run(capsys, *RAO, *options)
+        assert code == 0, err
+        values = json.loads(out)
+        return values["heave"]["amplitude"][0], values["pitch"]["amplitude"][0]
+
+    usual = heave()
+    assert heave("--method", "strip") != pytest.approx(usual, rel=0.05)
+    assert heave("--interaction", "off") != pytest.approx(usual, rel=0.02)
+    assert heave("--running-trim-degrees", "-1", "--running-sinkage", "0.005") != pytest.approx(
+        usual, rel=0.01
+    )
+    assert heave("--lock", "pitch")[1] == 0.0
+
+
+def test_a_heeled_ship_rolls_in_head_seas_and_wind_damps_on_the_sails(capsys):
+    def roll(*options):
+        arguments = ("rao", "crowther-318", "--speed-knots", "10", "--omega", "1.9:1.9:1", "--json")
+        code, out, err = run(capsys, *arguments, *options)
+        assert code == 0, err
+        return json.loads(out)["roll"]["amplitude"][0]
+
+    assert roll() == pytest.approx(0.0, abs=1e-9)
+    heeled = roll("--heel-degrees", "2")
+    assert heeled > 0.005
+    assert roll("--heel-degrees", "2", "--wind-speed", "8") != pytest.approx(heeled, rel=0.01)
+    assert roll("--heel-degrees", "5", "--method", "strip") == 0.0  # on one hull roll is held
+
+
+def test_slam_takes_the_waves_between_the_hulls_and_the_own_wave(capsys):
+    def least_clearance(*options):
+        arguments = ("slam", "austal-63", "--speed-knots", "35", "--hs", "3", "--tp", "8", "--hours", "0.1")
+        code, out, err = run(capsys, *arguments, *options, "--deck-points", "12x3", "--json")
+        assert code == 0, err
+        return json.loads(out)["least_clearance"]
+
+    usual = least_clearance()
+    assert least_clearance("--wave-field", "total") != pytest.approx(usual, rel=0.02)
+    assert least_clearance("--own-wave") != pytest.approx(usual, rel=0.005)
+    assert least_clearance("--method", "strip") != pytest.approx(usual, rel=0.02)
+
+
+def test_simulate_and_records_work_on_each_other(capsys, tmp_path):
+    out = tmp_path / "motions.csv"
+    arguments = ("simulate", "austal-63", "--speed-knots", "30", "--hs", "2", "--tp", "8", "--hours", "0.03")
+    code, printed, err = run(capsys, *arguments, "--linear", "--out", str(out), "--json")
+    assert code == 0, err
+    found = json.loads(printed)
+    code, printed, err = run(capsys, "records", str(out), "--what", "summary", "--json")
+    assert code == 0, err
+    text = json.dumps(json.loads(printed))
+    assert "heave" in text
+    assert found["method"]

@@ -18,8 +18,10 @@ from workbench.command_inputs import (
     DesignArgument,
     FroudeOption,
     HeadingOption,
+    HeelOption,
     InteractionOption,
     JsonOption,
+    LockOption,
     MethodOption,
     PanelsOption,
     RunningSinkageOption,
@@ -28,8 +30,10 @@ from workbench.command_inputs import (
     TreatmentOption,
     TunnelOption,
     WaveFieldOption,
+    WindOption,
     deck_points_of,
     frequencies_of,
+    heeled_design,
     number_or_word,
     progress_line,
     running_state_of,
@@ -116,12 +120,15 @@ def rao(
     tunnel_damping: TunnelOption = 0.0,
     running_trim_degrees: RunningTrimOption = 0.0,
     running_sinkage: RunningSinkageOption = 0.0,
+    heel_degrees: HeelOption = 0.0,
+    wind_speed: WindOption = None,
+    lock: LockOption = "",
     as_json: JsonOption = False,
 ) -> None:
     """Motions per wave amplitude in regular waves."""
     from workbench import pipeline
 
-    chosen = designs.design(design)
+    chosen = heeled_design(designs.design(design), heel_degrees)
     speed = speed_of(chosen, speed_knots, froude)
     direction = wave_direction_of(heading_degrees)
     frequencies, ratios_rise = frequencies_of(chosen, omega, wavelength_ratio)
@@ -132,7 +139,7 @@ def rao(
         [direction],
         np.sort(frequencies),
         settings,
-        running_state=running_state_of(running_trim_degrees, running_sinkage),
+        running_state=running_state_of(chosen, running_trim_degrees, running_sinkage, wind_speed, lock),
         progress=progress_line(),
     )
     values = tables.motion_table(ship, descending=ratios_rise)
@@ -184,6 +191,9 @@ def slam(
     ] = False,
     running_trim_degrees: RunningTrimOption = 0.0,
     running_sinkage: RunningSinkageOption = 0.0,
+    heel_degrees: HeelOption = 0.0,
+    wind_speed: WindOption = None,
+    lock: LockOption = "",
     as_json: JsonOption = False,
 ) -> None:
     """Wet-deck slamming in an irregular sea: closed form over the deck, and counted."""
@@ -192,7 +202,7 @@ def slam(
     from workbench.seas import Condition, SeaState
     from workbench.time_domain import Realisation
 
-    chosen = designs.with_clearance(designs.design(design), clearance)
+    chosen = designs.with_clearance(heeled_design(designs.design(design), heel_degrees), clearance)
     condition = Condition(
         speed=speed_of(chosen, speed_knots, froude),
         wave_direction=wave_direction_of(heading_degrees),
@@ -208,7 +218,7 @@ def slam(
     realisation = Realisation(seed=seed, hours=hours)
     panel_settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
     settings = theory_of(method, panel_settings, wave_field)
-    state = running_state_of(running_trim_degrees, running_sinkage)
+    state = running_state_of(chosen, running_trim_degrees, running_sinkage, wind_speed, lock)
     law = PressureLaw(name=pressure_law)
     points = deck_points_of(deck_points)
     least_velocity = pipeline.threshold_of(number_or_word(threshold), chosen)

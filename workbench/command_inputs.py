@@ -9,7 +9,7 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from workbench.conventions import GRAVITY, KNOT
+from workbench.conventions import GRAVITY, KNOT, MODES
 from workbench.design import Design
 from workbench.errors import InputError, checked_choice, checked_number
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
@@ -17,6 +17,8 @@ from workbench.hydrodynamics.recommended import METHODS, RecommendedSettings, Th
 from workbench.hydrodynamics.settings import WAVE_FIELDS, PotentialFlowSettings
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.running_state import RunningState
+from workbench.sailing import flies, sailing_design
+from workbench.sails import TrueWind
 
 DesignArgument = Annotated[str, typer.Argument(metavar="DESIGN", help="A library name or a TOML file.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
@@ -33,6 +35,16 @@ TreatmentOption = Annotated[
 ]
 MethodOption = Annotated[
     str, typer.Option("--method", help="recommended, strip, high-speed or potential-flow.")
+]
+HeelOption = Annotated[
+    float,
+    typer.Option("--heel-degrees", help="Heel, starboard side down; the ship floats at her displacement."),
+]
+WindOption = Annotated[
+    float | None, typer.Option("--wind-speed", help="True wind [m/s] going where the waves go, on the sails.")
+]
+LockOption = Annotated[
+    str, typer.Option("--lock", help="Modes held at zero, such as roll or surge,sway,yaw.")
 ]
 WaveFieldOption = Annotated[
     str,
@@ -112,8 +124,20 @@ def theory_of(method: str, panel_settings: PotentialFlowSettings, wave_field: st
     return RecommendedSettings(potential_flow=panel_settings, strip=strip, high_speed=high_speed)
 
 
-def running_state_of(running_trim_degrees: float, running_sinkage: float) -> RunningState:
-    """Attitude at speed."""
+def heeled_design(design: Design, heel_degrees: float) -> Design:
+    """Design at a heel, starboard side down, risen or sunk to its displacement."""
+    heel = checked_number("heel-degrees", heel_degrees, "degrees", at_least=-30, at_most=30)
+    return sailing_design(design, float(np.radians(heel))) if heel else design
+
+
+def running_state_of(
+    design: Design,
+    running_trim_degrees: float = 0.0,
+    running_sinkage: float = 0.0,
+    wind_speed: float | None = None,
+    lock: str = "",
+) -> RunningState:
+    """Attitude at speed, wind on the sails, and the modes that are held; roll always where a hull flies."""
     trim = checked_number(
         "running-trim-degrees",
         running_trim_degrees,
@@ -122,7 +146,17 @@ def running_state_of(running_trim_degrees: float, running_sinkage: float) -> Run
         at_most=10,
         cure="positive bow down",
     )
-    return RunningState(running_trim=float(np.radians(trim)), running_sinkage=running_sinkage)
+    held = [mode for mode in lock.replace(" ", "").split(",") if mode]
+    for mode in held:
+        checked_choice("lock", mode, MODES, cure="separate several by commas")
+    if flies(design) and "roll" not in held:
+        held.append("roll")
+    return RunningState(
+        running_trim=float(np.radians(trim)),
+        running_sinkage=running_sinkage,
+        wind=None if wind_speed is None else TrueWind(speed=wind_speed),
+        locked=tuple(held),
+    )
 
 
 def frequencies_of(

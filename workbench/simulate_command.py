@@ -102,7 +102,7 @@ def simulate(
     if out is not None:
         simulation_files.checked_path(out)
     theory = theory_of(method, settings_of(panels, interaction, speed_treatment, tunnel_damping))
-    state = running_state_of(running_trim_degrees, running_sinkage)
+    state = running_state_of(chosen, running_trim_degrees, running_sinkage)
 
     def respond(directions, frequencies):
         return pipeline.response(
