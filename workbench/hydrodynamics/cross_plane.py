@@ -24,6 +24,8 @@ from workbench.conventions import GRAVITY
 
 BEACH_SHARE = 0.3
 """Share of the cross-plane, at its outer edge, that absorbs waves [-]."""
+TOUCH = 0.02
+"""A point of the water this near to a hull, over the spacing, counts as covered: sources are singular there [-]."""
 
 
 def panel_integrals(
@@ -272,24 +274,33 @@ def _times(matrix: np.ndarray, columns: np.ndarray) -> np.ndarray:
 
 
 def _covered(water: Water, sides: tuple[float, float]) -> np.ndarray:
-    """Return which points of the water surface are inside a hull; half a hull covers the centreline too."""
+    """Return which points of the water are inside a hull or touch it; half a hull covers the centreline too."""
+    touch = TOUCH * (water.y[1] - water.y[0])
     half = water.parity and sides[0] <= 0.0
-    return (water.y < sides[1]) & (half or water.y > sides[0])
+    return (water.y < sides[1] + touch) & (half or water.y > sides[0] - touch)
 
 
 def _bridge(water: Water, sides: tuple[float, float], values: np.ndarray) -> None:
-    """Interpolate values across a hull, in place."""
+    """Interpolate values across a hull from its waterline, in place.
+
+    Those at the waterline are the nearest wet ones carried on by half their slope: with the whole slope or none,
+    the error of a half circle whose beam is 12 to 40 spacings is two to four times as large.
+    """
     covered = np.flatnonzero(_covered(water, sides))
     if not covered.size:
         return
-    low, high = covered[0] - 1, covered[-1] + 1
-    if low < 0:  # the half of a hull on the centreline
-        values[:high] = (
-            values[high] if water.parity > 0 else values[high] * (water.y[:high] / water.y[high])[:, None]
+    y, low, high = water.y, covered[0] - 1, covered[-1] + 1
+    port = values[high] + (sides[1] - y[high]) * (values[high + 1] - values[high]) / (y[1] - y[0]) / 2
+    if low < 0:  # half a hull on the centreline
+        left, starboard = -sides[1], water.parity * port
+    else:
+        before = max(low - 1, 0)
+        left, starboard = (
+            sides[0],
+            values[low] + (sides[0] - y[low]) * (values[low] - values[before]) / (y[1] - y[0]) / 2,
         )
-        return
-    share = ((water.y[covered] - water.y[low]) / (water.y[high] - water.y[low]))[:, None]
-    values[covered] = (1 - share) * values[low] + share * values[high]
+    share = ((y[covered] - left) / (sides[1] - left))[:, None]
+    values[covered] = (1 - share) * starboard + share * port
 
 
 def _reading(water: Water, field_y: np.ndarray) -> np.ndarray:
