@@ -299,7 +299,8 @@ def _bridge(water: Water, sides: tuple[float, float], values: np.ndarray) -> Non
             sides[0],
             values[low] + (sides[0] - y[low]) * (values[low] - values[before]) / (y[1] - y[0]) / 2,
         )
-    share = ((y[covered] - left) / (sides[1] - left))[:, None]
+    width = max(sides[1] - left, 1e-9 * y[-1])
+    share = np.clip((y[covered] - left) / width, 0.0, 1.0)[:, None]
     values[covered] = (1 - share) * starboard + share * port
 
 
