@@ -18,6 +18,7 @@ from workbench.conventions import GRAVITY
 from workbench.geometry.hydrostatics import hydrostatics, longitudinal_stiffness_about, stiffness_matrix
 from workbench.verification import delft, published
 from workbench.verification.case import Case
+from workbench.verification.delft_in_time import towed_in_time
 from workbench.verification.delft_misses import MISSES, RUNNING, UNLIKE, reason
 
 MOTION_TOLERANCE, LEAD_TOLERANCE, PEAK_TOLERANCE = 0.10, 10.0, 0.18
@@ -63,6 +64,20 @@ def _motion_cases(treatment: str) -> Iterator[tuple[str, str, float, str, Callab
                     "degrees",
                     lambda towed=towed: float(np.degrees(delft.towed(*towed).largest_lead_difference)),
                 )
+
+
+def _in_time_cases() -> Iterator[tuple[str, str, float, str, Callable[[], float]]]:
+    """Give the comparisons of the simulation in waves of the measured height with the towing tank."""
+    for froude_number in (0.3, 0.75):
+        fn = f"{froude_number:g}".replace(".", "")
+        for mode in ("heave", "pitch"):
+            yield (
+                f"delft-{mode}-fn{fn}-in-time",
+                f"{mode}, Fn {froude_number}, simulated in waves of the measured height: mean difference",
+                MOTION_TOLERANCE,
+                "-",
+                lambda chosen=(froude_number, mode): towed_in_time(*chosen).mean_difference,
+            )
 
 
 def _load_cases(
@@ -113,6 +128,7 @@ def _force_cases() -> Iterator[tuple[str, str, float, str, Callable[[], float]]]
     for treatment in ("apart", "together", "strip", "recommended"):
         yield from _load_cases(treatment, 0.3)
     yield from _load_cases("recommended", 0.75)
+    yield from _in_time_cases()
 
 
 def _closure_cases() -> list[Case]:
