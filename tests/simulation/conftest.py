@@ -5,29 +5,29 @@ import pytest
 
 from workbench import designs, pipeline
 from workbench.conventions import GRAVITY
-from workbench.geometry.hydrostatics import stiffness_matrix
-from workbench.hydrodynamics import strip_theory
+from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
 from workbench.hydrodynamics.settings import PotentialFlowSettings
-from workbench.motions import motions
-from workbench.radiation_store import wave_frequencies
+from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.simulation.records import ShipInWaves
 
 FROUDE_NUMBER = 0.3
 HEADINGS = np.radians([90.0, 150.0, 180.0])
 
 
+SETTINGS = {
+    "potential-flow": PotentialFlowSettings(),
+    "strip": StripSettings(),
+    "high-speed": HighSpeedSettings(),
+}
+
+
 def respond(method: str, design, speed: float, directions) -> ShipInWaves:
     """Linear response of a design by one method."""
-    if method == "potential-flow":
-        found = pipeline.response(design, speed, directions, None, PotentialFlowSettings())
-        return ShipInWaves(design, found.hydrodynamics, found.motions, found.wave_field)
-    omega = wave_frequencies(design.hull.length)
-    coefficients = strip_theory.hydrodynamics(design.hull, design.density, omega, directions, speed)
-    stiffness = stiffness_matrix(design.hull, design.masses, design.density)
-    return ShipInWaves(design, coefficients, motions(coefficients, design.masses, stiffness))
+    found = pipeline.response(design, speed, directions, None, SETTINGS[method])
+    return ShipInWaves(design, found.hydrodynamics, found.motions, found.wave_field, found.additions)
 
 
-METHODS = ("potential-flow", "strip")
+METHODS = tuple(SETTINGS)
 
 
 @pytest.fixture(scope="session")

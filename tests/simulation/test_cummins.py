@@ -59,10 +59,9 @@ def test_pulse_in_time_is_the_pulse_by_frequencies(any_ship):
     pulse = np.exp(-(((times - centre) / width) ** 2) / 2)
     in_time = departures(equation, lambda i, y: direction * pulse[i], len(times))
 
-    omega, force = radiation_forces(any_ship.hydrodynamics)
     stiffness = stiffness_matrix(any_ship.design.hull, any_ship.design.masses, any_ship.design.density)
     viscous = roll_damping(any_ship.design.masses, stiffness, any_ship.hydrodynamics.added_mass.values)
-    omega, force = radiation_forces(any_ship.hydrodynamics, viscous)
+    omega, force = radiation_forces(any_ship.hydrodynamics, viscous, any_ship.additions)
     back = np.linalg.inv(translation_matrix(any_ship.design.masses.centre_of_gravity))[:, 2:5]
     dense = np.linspace(1e-3, 12 / np.sqrt(length / GRAVITY), 3000)
     own = (back.T @ force @ back).reshape(len(omega), 9)
