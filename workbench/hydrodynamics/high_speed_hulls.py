@@ -13,6 +13,8 @@ from workbench.hydrodynamics.cross_plane import Contour
 
 SECTION_STATIONS = 161
 """Stations at which the hull is cut; contours of the march are interpolated between them."""
+LEAST_THICKNESS = 2.5e-4
+"""Half the least thickness of a section, over the length: a plate has no inside to put sources round [-]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +104,9 @@ def _at_stations(cut: HullSections, x: np.ndarray) -> StationedHull:
     length = cut.x[-1] - cut.x[0]
     outside = (x < cut.x[0] - 1e-9 * length) | (x > cut.x[-1] + 1e-9 * length)
     panel = np.abs(np.diff(contours, axis=1))
+    plate = np.abs(contours - contours[:, ::-1]).max(axis=1) < 2 * LEAST_THICKNESS * length
+    middle = contours.shape[1] // 2
+    contours[plate] += LEAST_THICKNESS * length * np.sign(np.arange(contours.shape[1]) - middle)
     contours[outside | (panel.min(axis=1) < 1e-7 * length)] = np.nan
     found = StationedHull(contours, float(cut.x[0]), float(cut.x[-1]), float(cut.position[1]))
     if not found.wet.any():
@@ -152,7 +157,7 @@ def all_together(stations: Stations) -> Problem:
 def _halves(rows: np.ndarray) -> np.ndarray:
     """Return the port halves, keel to waterline, of contours (stations, points)."""
     halves = rows[:, rows.shape[1] // 2 :].copy()
-    halves[:, 0] = 1j * halves[:, 0].imag
+    halves[:, 0] = np.where(np.isnan(halves[:, 0]), np.nan, 1j * halves[:, 0].imag)
     return halves
 
 
