@@ -5,18 +5,24 @@ import sys
 import numpy as np
 import pytest
 
+from workbench import radiation_store
 from workbench.app.control import slider_step
 from workbench.app.inputs import inputs_for
-from workbench.app.method_inputs import METHOD_DEFAULTS
+from workbench.app.method_inputs import METHOD_DEFAULTS, SHORTEST_WAVE, panel_method_acts
 from workbench.app.model import LOADED, Model
 from workbench.app.notes import notes_under
 from workbench.app.reading import Problems, case_of, uploaded_design, usual_inputs
 from workbench.app.ship_inputs import inputs_of
-from workbench.conventions import KNOT
+from workbench.conventions import GRAVITY, KNOT
+from workbench.damping.sail_damping import SailDampingSettings
 from workbench.errors import InputError
 from workbench.files import design_to_toml
 from workbench.hulls import library
+from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
+from workbench.hydrodynamics.recommended import RecommendedSettings
 from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.strip_settings import StripSettings
+from workbench.running_state import RunningState
 
 
 @pytest.fixture
@@ -61,8 +67,8 @@ def test_units_of_the_page(model):
         ("camber", -1, "camber"), ("trim_degrees", 11, "degrees"), ("heel_degrees", 31, "degrees"),
         ("deck_trim_degrees", -11, "wet deck trim"), ("sinkage", 90, "sinkage"), ("heel_degrees", "x", "number"),
         ("centre_bow_depth", 1, "both be 0"), ("roll_damping_ratio", 2, "roll damping"),
-        ("tunnel_damping", 0.3, "tunnel damping"), ("panels", 100, ">= 200"), ("panels", 5000, "4000"),
-        ("panels", 500.5, "whole number"),
+        ("running_trim_degrees", 11, "running trim"), ("running_sinkage", 90, "running sinkage"),
+        ("running_sinkage", "deep", "number"),
     ],
 )  # fmt: skip
 def test_refused_input_is_a_sentence_at_its_control(model, name, value, words):
@@ -74,6 +80,27 @@ def test_refused_input_is_a_sentence_at_its_control(model, name, value, words):
     model.change(name, Model().inputs[name])
     assert model.case() is not None
     assert model.problems == {}
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("tunnel_damping", 0.3, "tunnel damping"), ("panels", 100, ">= 200"), ("panels", 5000, "4000"),
+        ("panels", 500.5, "whole number"),
+    ],
+)  # fmt: skip
+def test_choices_of_the_panel_method_are_refused_where_they_act_alone(model, name, value, words):
+    model.change(name, value)
+    assert model.case() is not None
+    model.change("theory", "potential-flow")
+    assert model.case() is None
+    assert list(model.problems) == [name]
+    assert words in model.problems[name].lower().replace("_", " ")
+    model.change("theory", "strip")
+    assert model.case() is not None
+    model.change("theory", "recommended")
+    model.change("speed_knots", 3)
+    assert model.case() is None
 
 
 def test_two_problems_stand_at_two_controls(model):
@@ -101,19 +128,24 @@ def test_sinkage_centre_bow_and_roll_damping_reach_the_design(model):
     assert (design.hull.sinkage, design.masses.roll_damping_ratio) == (0.2, 0.1)
 
 
-def test_method_is_the_usual_one_until_it_is_changed(model):
-    assert model.case().settings == PotentialFlowSettings()
+def test_method_is_the_recommended_one_until_it_is_changed(model):
+    assert model.case().theory == RecommendedSettings(quick=True)
     usual = model.case().response_key
+    model.change("theory", "potential-flow")
     changes = {"interaction": "on", "wave_field": "incident", "tunnel_damping": 0.03, "panels": 600}
     for name, value in changes.items():
         before = model.case().response_key
         model.change(name, value)
         assert model.case().response_key != before
-    assert model.case().settings == PotentialFlowSettings(**changes)
-    assert isinstance(model.case().settings.panels, int)
+    assert model.case().theory == PotentialFlowSettings(**changes)
+    assert isinstance(model.case().theory.panels, int)
     other = Model()
     assert other.restore(json.loads(json.dumps(model.state()))) == []
     assert other.case() == model.case()
+    model.change("theory", "strip")
+    assert model.case().theory == StripSettings(interaction="on")
+    model.change("theory", "high-speed")
+    assert model.case().theory == HighSpeedSettings(interaction="on")
     for name, value in METHOD_DEFAULTS.items():
         model.change(name, value)
     assert model.case().response_key == usual
@@ -121,27 +153,116 @@ def test_method_is_the_usual_one_until_it_is_changed(model):
 
 def test_method_offers_what_there_is_and_outlasts_the_ship(model):
     model.change("panels", 600)
+    model.change("theory", "potential-flow")
     model.choose("cofea")
     assert model.inputs["panels"] == 600
     assert "interaction" not in model.inputs
-    assert model.case().settings.panels == 600
+    assert model.case().theory.panels == 600
     model.choose("austal-63")
     assert model.inputs["interaction"] == "auto"
     assert {one.name for one in inputs_for(model.base) if one.group == "method"} == set(METHOD_DEFAULTS)
+
+
+def test_panel_method_refines_where_it_is_recommended_and_only_when_asked(model):
+    assert model.case().refinement is None
+    model.refine()
+    assert model.refined == ()
+    model.change("speed_knots", 5)
+    quick = model.case()
+    assert quick.theory == RecommendedSettings(quick=True)
+    assert quick.refinement == RecommendedSettings()
+    model.refine()
+    refined = model.case()
+    assert refined.theory == RecommendedSettings()
+    assert refined.response_key != quick.response_key
+    assert refined.unrefined == quick
+    model.change("clearance", 3.0)
+    assert model.case().is_refined
+    other = Model()
+    assert other.restore(json.loads(json.dumps(model.state()))) == []
+    assert other.case() == model.case()
+    model.change("speed_knots", 4)
+    assert not model.case().is_refined
+    assert "refined" not in model.state()
+    model.change("speed_knots", 5)
+    assert model.case().is_refined
+    model.change("panels", 800)
+    assert not model.case().is_refined
+    model.change("panels", 1000)
+    model.leave_unrefined(model.case())
+    assert not model.case().is_refined
+
+
+def test_one_heading_is_enough_in_a_long_crested_sea_at_speed(model):
+    assert model.case().lone_heading == pytest.approx(np.pi)
+    model.change("spreading", "2")
+    assert model.case().lone_heading is None
+    model.change("spreading", "")
+    model.change("speed_knots", 0)
+    assert model.case().lone_heading is None
+    model.change("speed_knots", 20)
+    model.change("theory", "potential-flow")
+    assert model.case().lone_heading is None
+
+
+def test_attitude_at_speed_and_wind_reach_the_running_state(model):
+    assert model.case().running_state == RunningState()
+    assert "wind_knots" not in model.inputs
+    usual = model.case().response_key
+    model.change("running_trim_degrees", -1.5)
+    model.change("running_sinkage", 0.1)
+    state = model.case().running_state
+    assert state == RunningState(running_trim=np.radians(-1.5), running_sinkage=0.1)
+    assert model.case().response_key != usual
+    model.choose("crowther-318")
+    assert model.case().running_state == RunningState()
+    still = model.case().response_key
+    model.change("wind_knots", "many")
+    assert model.case().response_key == still
+    model.change("sail_damping", "on")
+    assert model.case() is None
+    assert list(model.problems) == ["wind_knots"]
+    model.change("wind_knots", 120)
+    assert model.case() is None
+    assert "true wind speed" in model.problems["wind_knots"].lower()
+    model.change("wind_knots", 20)
+    wind = model.case().running_state.wind
+    assert (wind.speed, wind.direction) == (pytest.approx(20 * KNOT), None)
+    assert model.case().running_state.sails == SailDampingSettings()
+    other = Model()
+    assert other.restore(json.loads(json.dumps(model.state()))) == []
+    assert other.case() == model.case()
 
 
 def test_notes_say_what_the_automatic_choices_come_to(model):
     def notes(**inputs):
         return notes_under({**model.inputs, **inputs}, model.base)
 
-    assert "Each hull alone" in notes(speed_knots=24)["interaction"]
+    assert "high-speed theory" in notes(speed_knots=24)["theory"]
+    assert "strip theory" in notes(speed_knots=24, heading_degrees=0)["theory"]
+    assert "the panel method; strip theory first" in notes(speed_knots=5)["theory"]
+    assert "rough guide above Fn 0.35" in notes(theory="strip")["theory"]
+    assert "waves of the other" in notes(speed_knots=24)["interaction"]
+    assert "Each hull alone" in notes(speed_knots=24, theory="strip")["interaction"]
     assert "Solved together" in notes(speed_knots=5)["interaction"]
     assert "own waves" in notes(speed_knots=0)["wave_field"]
     assert "Incident wave only" in notes(speed_knots=0, interaction="off")["wave_field"]
     assert "interaction" not in notes(interaction="on")
     assert "tames" in notes(interaction="on")["tunnel_damping"]
     assert "Acts only" in notes(interaction="off")["tunnel_damping"]
-    assert "panels" not in notes(panels="many")
+    assert "clearance of the wet deck" in notes()["running_sinkage"]
+    assert "theory" not in notes(speed_knots="many")
+
+
+def test_shortest_wave_is_that_of_the_motions():
+    assert SHORTEST_WAVE == radiation_store.SHORTEST_WAVE
+
+
+@pytest.mark.parametrize(("theory", "speed", "acts"), [
+    ("recommended", 0.19, True), ("recommended", 0.21, False), ("potential-flow", 0.5, True), ("strip", 0.0, False),
+])  # fmt: skip
+def test_controls_of_the_panel_method_act_where_it_is_used(theory, speed, acts):
+    assert panel_method_acts(theory, 40.0, speed * np.sqrt(GRAVITY * 40.0)) is acts
 
 
 def test_numbers_with_a_comma_are_read(model):

@@ -1,19 +1,27 @@
 """The page without a browser: model, desk and panels together, on a shipped design."""
 
+import threading
 import time
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import xarray as xr
 
+from workbench import potential_flow_stage, radiation_store
 from workbench.app import main, server
 from workbench.app.main import app
+from workbench.app.method_inputs import PANEL_METHOD_ACTS
 from workbench.app.panels.design import gap_rows
-from workbench.app.panels.motions import gap_frequency
+from workbench.app.panels.motions import gap_frequencies, gap_frequency
 from workbench.errors import InputError
 from workbench.hulls import library
+from workbench.hydrodynamics import strip_theory
+from workbench.hydrodynamics.gap_resonance import gap_resonance
+from workbench.hydrodynamics.recommended import RecommendedSettings
 from workbench.hydrodynamics.settings import PotentialFlowSettings
+from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.scene import stills
 
 
@@ -23,6 +31,15 @@ def page():
     assert made.desk.settle(120)
     assert made.desk.error == ""
     return made
+
+
+def until(condition, timeout=20.0):
+    end = time.monotonic() + timeout
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.01)
+    return False
 
 
 def open_tab(page, title):
@@ -82,6 +99,7 @@ def test_tabs(page, title):
 
 def test_heading_that_is_not_computed_is_a_problem_and_greys(page):
     panel = open_tab(page, "Slamming")
+    page.model.change("spreading", "2")
     page.model.change("heading_degrees", 171)
     assert page.desk.settle()
     assert "choose one of these" in page.model.problems["heading_degrees"]
@@ -92,63 +110,215 @@ def test_heading_that_is_not_computed_is_a_problem_and_greys(page):
     assert page.desk.settle()
     assert page.desk.is_current
     assert not any(drawing.view.old for drawing in panel.drawings)
+    page.model.change("spreading", "")
     page.model.change("heading_degrees", 180)
     assert page.desk.settle()
 
 
-def test_new_speed_goes_through_the_job_and_greys_until_then(page):
-    seen = []
-    page.desk.hull_job.observe(lambda change: seen.append(change.new), "state")
+def test_any_heading_of_a_long_crested_sea_is_computed(page):
+    page.model.change("heading_degrees", 171)
+    assert page.desk.settle()
+    assert page.model.problems == {}
+    assert page.desk.is_current
+    directions = page.model.findings.ship.motions.wave_direction.values
+    assert np.any(np.isclose(directions, np.radians(171)))
+    assert len(directions) == 25
+    page.model.change("heading_degrees", 180)
+    assert page.desk.settle()
+
+
+def test_new_speed_brings_the_heading_of_the_sea_first_and_then_all(page):
+    seen, headings = [], []
     speed = page.model.findings.ship.speed
+
+    def found(change):
+        headings.append(change.new.ship.motions.sizes["wave_direction"])
+
+    page.desk.hull_job.observe(lambda change: seen.append(change.new), "state")
+    page.model.observe(found, "findings")
     page.model.change("speed_knots", 22)
     assert page.desk.settle(60)
+    page.model.unobserve(found, "findings")
     assert seen == ["running", "finished"]
+    assert headings == [1, 24]
     assert page.model.findings.ship.speed > speed
     assert page.desk.is_current
+    assert "by high-speed theory" in page.head.origin
 
 
 def test_another_method_greys_until_it_is_computed_and_stands_in_the_address(page):
     open_tab(page, "Motions")
-    assert "panels" not in page.head.permalink
-    tones, pictures = [], page.panels[0].rao.picture
+    assert "theory" not in page.head.permalink
+    tones, picture = [], page.panels[0].rao.picture
     page.head.observe(lambda change: tones.append(change.new), "tone")
-    page.model.change("panels", 300)
-    page.model.change("tunnel_damping", 0.05)
+    page.model.change("theory", "strip")
+    page.model.change("running_trim_degrees", 0.5)
     assert page.desk.settle(60)
     assert "old" in tones
     assert page.desk.is_current
-    assert page.model.findings.ship.settings.panels == 300
-    assert page.panels[0].rao.picture != pictures
-    assert {"panels=300", "tunnel_damping=0.05"} <= set(page.head.permalink.split("&"))
+    ship = page.model.findings.ship
+    assert ship.settings == StripSettings()
+    assert ship.running_state.running_trim == pytest.approx(np.radians(0.5))
+    assert page.head.origin == "by strip theory"
+    assert "Computed by strip theory." in page.panels[0].rao.notes
+    assert page.panels[0].rao.picture != picture
+    assert {"theory=strip", "running_trim_degrees=0.5"} <= set(page.head.permalink.split("&"))
     other = main.Page()
     other._head_said({"type": "hello", "state": "", "query": page.head.permalink})
-    assert other.model.case().settings == page.model.case().settings
-    page.model.change("panels", 1000)
-    page.model.change("tunnel_damping", 0)
+    assert other.model.case().response_key == page.model.case().response_key
+    page.model.change("theory", "recommended")
+    page.model.change("running_trim_degrees", 0)
     assert page.desk.settle(60)
+
+
+def test_theory_that_cannot_be_used_is_said_at_its_control(page):
+    speed = page.model.inputs["speed_knots"]
+    page.model.change("theory", "high-speed")
+    page.model.change("speed_knots", 3)
+    assert page.desk.settle(60)
+    assert "Froude number must be >= 0.1" in page.model.problems["theory"]
+    page.model.change("theory", "recommended")
+    page.model.change("speed_knots", speed)
+    assert page.desk.settle(60)
+    assert page.desk.is_current
+
+
+def test_attitude_that_drowns_the_hull_is_said_at_its_control(page):
+    page.model.change("running_sinkage", 19)
+    assert page.desk.settle(60)
+    assert "Sinkage must be" in page.model.problems["running_sinkage"]
+    page.model.change("running_sinkage", 0)
+    assert page.desk.settle(60)
+    assert page.desk.is_current
+
+
+def faked_panel_method(monkeypatch, ready):
+    """Let strip theory answer for the panel method, once it may."""
+
+    def answer(hull, density, speed, wave_directions, omega, settings, *, workers, progress):
+        while not ready.wait(0.02):
+            progress(0.5, "Solving panels")
+        omega = radiation_store.wave_frequencies(hull.length) if omega is None else omega
+        found = strip_theory.hydrodynamics(hull, density, omega, wave_directions, speed, StripSettings())
+        return found.assign_attrs(method="potential-flow"), None
+
+    monkeypatch.setattr(potential_flow_stage, "hydrodynamics", answer)
+
+
+def test_panel_method_refines_when_asked_and_until_then_the_quick_results_stay(page, monkeypatch):
+    ready = threading.Event()
+    faked_panel_method(monkeypatch, ready)
+    panel = open_tab(page, "Motions")
+    speed = page.model.inputs["speed_knots"]
+    page.model.change("speed_knots", 0)
+    assert page.desk.settle(60)
+    assert page.head.origin == "by strip theory; at this speed the panel method is recommended"
+    assert page.head.action == "refine"
+    assert page.form.values[PANEL_METHOD_ACTS] == "yes"
+
+    page._head_said({"type": "refine"})
+    assert until(lambda: page.desk.hull_job.state == "running" and page.head.action == "stop")
+    assert page.desk.is_current
+    assert not panel.rao.old
+    page._head_said({"type": "stop"})
+    assert page.desk.settle(20)
+    assert page.head.action == "refine"
+    assert page.desk.is_current
+
+    page._head_said({"type": "refine"})
+    ready.set()
+    assert page.desk.settle(60)
+    assert page.model.findings.ship.motions.attrs["method"] == "potential-flow"
+    assert page.head.origin == "by the panel method"
+    assert page.head.action == ""
+    assert "Computed by the panel method." in panel.rao.notes
+    assert "refined" in page.head.state
+    page.model.change("speed_knots", speed)
+    assert page.desk.settle(60)
+    assert page.form.values[PANEL_METHOD_ACTS] == "no"
+    assert "high-speed" in page.head.origin
+
+
+def test_refused_refinement_leaves_the_quick_results(page, monkeypatch):
+    def refusal(*_, **__):
+        raise InputError("panels must be more here, got few; ask for more.")
+
+    monkeypatch.setattr(potential_flow_stage, "hydrodynamics", refusal)
+    speed = page.model.inputs["speed_knots"]
+    page.model.change("speed_knots", 0)
+    assert page.desk.settle(60)
+    page._head_said({"type": "refine"})
+    assert page.desk.settle(60)
+    assert "Not refined: Panels must be more" in page.head.remark
+    assert page.desk.is_current
+    assert page.head.action == "refine"
+    page.model.change("speed_knots", speed)
+    assert page.desk.settle(60)
+
+
+def test_theories_are_compared_when_asked(page):
+    panel = open_tab(page, "Theories")
+    assert panel.results.layout.display == "none"
+    assert "Fn 0.4" in panel.state.value
+    panel.button.click()
+    assert page.desk.settle(60)
+    assert panel.picture.picture.startswith(b"\x89PNG")
+    assert "strip theory, high-speed theory" in panel.picture.words
+    assert panel.results.layout.display == ""
+    assert "<td>high-speed theory</td>" in panel.numbers.value
+    assert "Against the" not in panel.numbers.value
+    page.model.change("heading_degrees", 150)
+    assert page.desk.settle(60)
+    assert panel.picture.old
+    page.model.change("heading_degrees", 180)
+    assert page.desk.settle(60)
+    assert not panel.picture.old
+
+
+def test_comparison_is_stopped(page, monkeypatch):
+    ready = threading.Event()
+    faked_panel_method(monkeypatch, ready)
+    panel = open_tab(page, "Theories")
+    panel.panels.value = True
+    panel.button.click()
+    assert until(lambda: "panel method: Solving panels" in page.head.task)
+    page._head_said({"type": "stop"})
+    assert page.desk.settle(20)
+    assert page.desk.compare_job.state == "cancelled"
+    assert page.head.action == ""
+    assert page.desk.is_current
+    ready.set()
+    panel.button.click()
+    assert page.desk.settle(60)
+    assert "<td>panel method</td>" in panel.numbers.value
+    panel.panels.value = False
 
 
 def test_resonance_between_the_hulls_is_shown(page):
     panel = open_tab(page, "Design")
-    attributes = page.model.findings.ship.hydrodynamics.attrs
-    piston = attributes["gap_piston_frequency"]
+    ship = page.model.findings.ship
+    piston = gap_frequencies(ship).piston
     assert f"{piston:.3g} rad/s, waves of {2 * np.pi / piston:.3g} s" in panel.afloat.value
-    assert len(gap_rows(attributes)) == 2
-    assert gap_rows({}) == []
+    assert len(gap_rows(ship)) == 2
+    single = SimpleNamespace(design=SimpleNamespace(hull=SimpleNamespace(count=1)))
+    assert gap_rows(single) == []
 
 
 @pytest.mark.parametrize(
-    ("count", "speed", "interaction", "marked"),
-    [(2, 0, "auto", True), (2, 1, "auto", False), (2, 0, "off", False), (1, 0, "auto", False)],
-)
-def test_resonance_is_marked_where_the_hulls_are_solved_together_at_rest(count, speed, interaction, marked):
-    hull = SimpleNamespace(count=count, length=40.0)
+    ("count", "speed", "settings", "marked"),
+    [
+        (2, 0, PotentialFlowSettings(), True), (2, 1, PotentialFlowSettings(), False),
+        (2, 0, PotentialFlowSettings(interaction="off"), False), (1, 0, PotentialFlowSettings(), False),
+        (2, 0, RecommendedSettings(quick=True), True), (2, 0, StripSettings(interaction="off"), False),
+    ],
+)  # fmt: skip
+def test_resonance_is_marked_where_the_hulls_are_solved_together_at_rest(count, speed, settings, marked):
+    shape = SimpleNamespace(beam=4.0)
     ship = SimpleNamespace(
-        design=SimpleNamespace(hull=hull), speed=speed,
-        settings=PotentialFlowSettings(interaction=interaction),
-        hydrodynamics=SimpleNamespace(attrs={"gap_piston_frequency": 1.3}),
+        design=SimpleNamespace(hull=SimpleNamespace(count=count, length=40.0, spacing=12.0, shape=shape)),
+        speed=speed, settings=settings, hydrostatics=xr.Dataset({"volume": 500.0, "waterplane_area": 250.0}),
     )  # fmt: skip
-    assert gap_frequency(ship) == (1.3 if marked else None)
+    assert gap_frequency(ship) == (gap_resonance(8.0, 4.0, 2.0).piston if marked else None)
 
 
 def test_design_out_of_equilibrium_is_said_and_cured(page):

@@ -3,6 +3,9 @@
 One thread does this, the newest state of the inputs first, so that widget
 callbacks (in the main thread under Voila, in subshell threads under
 JupyterLab) only set traits and return.
+
+Where one heading is all that a sea needs, its motions come first and those of the other headings after a
+pause; where the panel method is to refine, what was there before stays until it is ready.
 """
 
 import threading
@@ -11,17 +14,16 @@ from collections.abc import Callable
 import numpy as np
 import traitlets
 
+from workbench.app import work
 from workbench.app.case import Case
 from workbench.app.job import Job
-from workbench.app.model import Counted, Findings, Model
+from workbench.app.model import Compared, Findings, Model
 from workbench.app.reading import control_named, in_words
 from workbench.errors import InputError
 
-WORKERS = 2
-HULL_DELAY, COUNT_DELAY = 0.35, 0.8
-"""Pause after the last change before a new hull is solved, and before slams are counted [s]."""
-
-CURVE_POINTS = 81
+HULL_DELAY, COUNT_DELAY, REST_DELAY = 0.35, 0.8, 1.5
+"""Pause after the last change before a new hull is solved, before slams are counted, and before the headings
+that the sea does not need [s]."""
 
 
 class Desk(traitlets.HasTraits):
@@ -29,7 +31,8 @@ class Desk(traitlets.HasTraits):
 
     Attributes
     ----------
-    hull_job : hydrodynamics and motions; count_job : counted slams and the scene.
+    hull_job : hydrodynamics and motions; rest_job : those of the other headings; count_job : counted slams and
+    the scene; compare_job : theories laid over each other.
     is_current : whether the findings belong to the present inputs.
     error : a sentence on what went wrong unexpectedly.
     """
@@ -40,19 +43,25 @@ class Desk(traitlets.HasTraits):
     def __init__(self, model: Model, show: Callable[[Callable[[], bool]], None]) -> None:
         super().__init__()
         self.model = model
-        self.hull_job, self.count_job = Job("hull"), Job("count")
+        self.hull_job, self.rest_job, self.count_job = Job("hull"), Job("headings"), Job("count")
+        self.compare_job = Job("theories")
         self.needs_counts = self.needs_scene = False
         self._show = show
         self._ship = None
         self._ship_key: tuple | None = None
+        self._ship_is_whole = False
         self._relative = None
-        self._plan_key: tuple | None = None
-        self._stopped_key: tuple | None = None
-        self._stopped_count: tuple | None = None
+        self._relative_of: tuple | None = None
+        self._stopped: dict[str, tuple | None] = {}
         self._condition = threading.Condition()
         self._wanted, self._done = 0, 0
         self._thread = threading.Thread(target=self._run, name="desk", daemon=True)
         self._thread.start()
+
+    @property
+    def jobs(self) -> tuple[Job, ...]:
+        """All jobs, the most urgent first."""
+        return self.hull_job, self.compare_job, self.count_job, self.rest_job
 
     def post(self, *_: object) -> None:
         """Say that something changed; returns at once."""
@@ -62,17 +71,19 @@ class Desk(traitlets.HasTraits):
 
     def stop(self) -> None:
         """Cancel the present long work and do not start it again by itself."""
-        if self.hull_job.state == "running":
-            self._stopped_key = self.hull_job.key
-        self._stopped_count = self.count_job.key
-        self.hull_job.cancel()
-        self.count_job.cancel()
+        for job in self.jobs:
+            if job.state == "running":
+                self._stopped[job.name] = job.key
+            job.cancel()
+        case = self.model.case()
+        if case is not None and case.is_refined and self._ship_key != case.response_key:
+            self.model.leave_unrefined(case)
         self.post()
 
     def resume(self) -> None:
         """Start again what was stopped or has failed."""
-        self._stopped_key = self._stopped_count = None
-        self.hull_job.key = None
+        self._stopped = {}
+        self.hull_job.key = self.rest_job.key = None
         self.post()
 
     def settle(self, timeout: float = 60.0) -> bool:
@@ -83,10 +94,24 @@ class Desk(traitlets.HasTraits):
         while time.monotonic() < end:
             with self._condition:
                 idle = self._wanted == self._done
-            if idle and "running" not in (self.hull_job.state, self.count_job.state):
+            if idle and not any(job.state == "running" for job in self.jobs):
                 return True
             time.sleep(0.02)
         return False
+
+    def compare(self, with_panels: bool) -> None:
+        """Lay the theories over each other for the present inputs."""
+        case = self.model.case()
+        if case is None:
+            return
+        key = case.comparison_key
+
+        def done(found) -> None:
+            self.model.compared = Compared(key, *found)
+            self.post()
+
+        task = work.comparison(case, with_panels)
+        self.compare_job.start((key, with_panels), task, done)
 
     def _run(self) -> None:
         while True:
@@ -111,26 +136,43 @@ class Desk(traitlets.HasTraits):
             self._drop_counts()
             self._show(is_newest)
             return
-        if case.response_key != self._ship_key:
+        answered = self._answered(case)
+        if answered is not None and answered.response_key == case.response_key:
+            if self.hull_job.state != "finished":
+                self.hull_job.cancel()
+                self.hull_job.clear()
+            self._stopped.pop("hull", None)
+            self._send_for_other_headings(case)
+        else:
+            self.rest_job.cancel()
+            self.rest_job.clear()
+            if self._has_failed(case):
+                self._explain_failure(case)
+            elif self._stopped.get("hull") != _key(case, case.lone_heading):
+                self._send_for_ship(case)
+        if answered is None:
             self.is_current = False
             self._drop_counts()
-            if self._has_failed(case):
-                self._explain_failure()
-            elif case.response_key != self._stopped_key:
-                self._send_for_ship(case)
             self._show(is_newest)
             return
-        if self.hull_job.key != case.response_key:
-            self.hull_job.cancel()
-            self.hull_job.clear()
-        self._stopped_key = None
-        if not self._follow(case):
+        if not self._follow(answered):
             self._show(is_newest)
             return
         self.is_current = True
         self._show(is_newest)
-        if is_newest() and case.design.wet_deck is not None:
-            self._send_for_counts(case)
+        if is_newest() and answered.design.wet_deck is not None:
+            self._send_for_counts(answered)
+
+    def _answered(self, case: Case) -> Case | None:
+        """Return the case that the present ship answers: this one, or the same before it is refined."""
+        for one in (case, case.unrefined):
+            if self._ship is None or one.response_key != self._ship_key:
+                continue
+            known = self._ship.motions.wave_direction.values
+            has_heading = one.heading is None or bool(np.any(np.abs(known - one.heading) < 1e-9))
+            if has_heading and (self._ship_is_whole or one.lone_heading is not None):
+                return one
+        return None
 
     def _drop_counts(self) -> None:
         """Stop counting for inputs that are no longer those of the page."""
@@ -138,56 +180,61 @@ class Desk(traitlets.HasTraits):
         self.count_job.clear()
 
     def _has_failed(self, case: Case) -> bool:
-        return self.hull_job.state == "failed" and self.hull_job.key == case.response_key
+        return self.hull_job.state == "failed" and self.hull_job.key == _key(case, case.lone_heading)
 
-    def _explain_failure(self) -> None:
-        """Put what was refused at its control."""
-        if isinstance(self.hull_job.failure, InputError):
-            sentence = self.hull_job.error
-            self.model.problems = {control_named(sentence, self.model.base, "masses"): in_words(sentence)}
+    def _explain_failure(self, case: Case) -> None:
+        """Put what was refused at its control; a refused refinement is taken back."""
+        if not isinstance(self.hull_job.failure, InputError):
+            return
+        sentence = self.hull_job.error
+        if case.is_refined:
+            self.model.leave_unrefined(case)
+            self.model.notice = f"Not refined: {in_words(sentence)}"
+            self.post()
+            return
+        name = control_named(sentence, self.model.base, "masses")
+        running = case.running_state
+        if name == "sinkage" and running.running_sinkage:
+            name = "running_sinkage"
+        elif name in ("trim_degrees", "sinkage") and running.running_trim:
+            name = "running_trim_degrees"
+        self.model.problems = {name: in_words(sentence)}
 
     def _send_for_ship(self, case: Case) -> None:
-        from workbench import pipeline
+        """Ask for motions: of the one heading that is needed, or of all."""
+        heading = case.lone_heading
+        pause = HULL_DELAY if self._ship is not None and not case.is_refined else 0.0
+        self._ask(self.hull_job, case, heading, pause)
 
-        def work(progress):
-            return pipeline.response(
-                case.design, case.condition.speed, settings=case.settings, workers=WORKERS, progress=progress
-            )
+    def _send_for_other_headings(self, case: Case) -> None:
+        """Ask for the motions of all headings, once those of the one that is needed are there."""
+        key = _key(case, None)
+        if self._ship_is_whole:
+            self.rest_job.cancel()
+            self.rest_job.clear()
+        elif self._stopped.get("headings") != key and (self.rest_job.state, self.rest_job.key) != (
+            "failed", key,
+        ):  # fmt: skip
+            self._ask(self.rest_job, case, None, REST_DELAY)
 
-        def done(ship):
-            self._ship, self._ship_key = ship, case.response_key
+    def _ask(self, job: Job, case: Case, heading: float | None, pause: float) -> None:
+        def done(ship) -> None:
+            self._ship, self._ship_key, self._ship_is_whole = ship, case.response_key, heading is None
             self.post()
 
-        self.hull_job.start(case.response_key, work, done, HULL_DELAY if self._ship is not None else 0.0)
+        job.start(_key(case, heading), work.ship(case, heading), done, pause)
 
     def _follow(self, case: Case) -> bool:
         """Bring the closed-form statistics up to date; False where the inputs are refused."""
-        from workbench import pipeline, sea_energy
-        from workbench.slamming.criteria import clearance_curve
-
         found = self.model.findings
         if found is not None and found.ship is self._ship and found.case.slamming_key == case.slamming_key:
             return True
-        deck = case.design.wet_deck
-        relative = slam = curve = None
+        if case.design.wet_deck is not None and (self._ship, case.plan_key) != self._relative_of:
+            self._relative = work.deck_response(self._ship, case)
+            self._relative_of = (self._ship, case.plan_key)
+        relative = self._relative if case.design.wet_deck is not None else None
         try:
-            if deck is not None:
-                if case.plan_key != self._plan_key:
-                    self._relative = pipeline.deck_response(self._ship, deck)
-                    self._plan_key = case.plan_key
-                relative = self._relative
-                slam = pipeline.slamming(
-                    self._ship, relative, deck, case.condition, threshold=case.threshold, law=case.law,
-                    hours=case.hours, criterion_per_hour=case.criterion_per_hour,
-                )  # fmt: skip
-                reach = np.linspace(0.05, 1.25, CURVE_POINTS) * max(
-                    1.6 * deck.clearance, 1.2 * slam.least_clearance
-                )
-                curve = clearance_curve(slam.moments, slam.deck.height, slam.clearance, reach, slam.threshold)
-            else:
-                sea_energy.wave_energy(
-                    case.condition, self._ship.motions.omega, self._ship.motions.wave_direction
-                )
+            slam, curve = work.statistics(self._ship, relative, case)
         except InputError as error:
             self.is_current = False
             cure = "choose one of these, or another speed"
@@ -202,36 +249,14 @@ class Desk(traitlets.HasTraits):
         has_counts = self.model.counted is not None and self.model.counted.key == case.counting_key
         if not wants_scene and (has_counts or not self.needs_counts):
             return
-        found = self.model.findings
-
-        def work(progress):
-            return self._counted_work(found, case, has_counts, wants_scene, progress)
-
         key = (case.counting_key, wants_scene)
-        if key == self._stopped_count:
+        if key == self._stopped.get("count"):
             return
-        self._stopped_count = None
-        self.count_job.start(key, work, lambda _: self.post(), 0.0 if has_counts else COUNT_DELAY)
+        self._stopped.pop("count", None)
+        task = work.counts(self.model, self.model.findings, case, wants_scene, self.post)
+        self.count_job.start(key, task, lambda _: self.post(), 0.0 if has_counts else COUNT_DELAY)
 
-    def _counted_work(
-        self, found: Findings, case: Case, has_counts: bool, wants_scene: bool, progress
-    ) -> None:
-        from workbench import pipeline
 
-        realisation = case.realisation
-        progress(0.05, f"Counting slams in {realisation.hours:g} h")
-        if not has_counts:
-            events, counts = pipeline.counted_slams(found.ship, found.relative, found.slam, realisation)
-            progress(0.7, "counted")
-            self.model.counted = Counted(case.counting_key, found, events, counts)
-            self.post()
-        if wants_scene:
-            from workbench.animation import animation_scene
-
-            progress(0.8, "Building the animation")
-            scene = animation_scene(
-                found.ship, found.relative, found.slam, self.model.counted.events, realisation
-            )
-            progress(1.0, "built")
-            self.model.scene_key = case.counting_key
-            self.model.scene = scene
+def _key(case: Case, lone_heading: float | None) -> tuple:
+    """Return what the motions depend on, of one heading [rad] or (None) of all."""
+    return case.response_key, lone_heading, case.odd_heading

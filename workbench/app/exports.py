@@ -10,8 +10,10 @@ import xarray as xr
 
 from workbench import __version__, quantities
 from workbench.app.case import Case
+from workbench.app.method_inputs import recommended_theories, theory_words
 from workbench.app.model import Findings
 from workbench.cache import with_split_complex
+from workbench.hydrodynamics.recommended import IN_A_SENTENCE, THEORY_NAMES, RecommendedSettings
 
 FILM_SECONDS, FILM_RATE = 12.0, 15
 """Length [s] and pictures per second of a film."""
@@ -31,16 +33,41 @@ def heading_lines(case: Case) -> list[str]:
         f"sea: {sea.spectrum}, significant wave height {sea.significant_wave_height:.6g} m, peak period "
         f"{sea.peak_period:.6g} s, spreading exponent {sea.spreading_exponent}",
     ]
-    method = case.settings
-    lines.append(
-        f"method: interaction {method.interaction}, wave field {method.wave_field}, tunnel damping "
-        f"{method.tunnel_damping:g}, {method.panels} panels"
-    )
+    lines.append(f"theory: {_theory_line(case)}")
+    running = case.running_state
+    if running.running_trim or running.running_sinkage:
+        lines.append(
+            f"running trim: {np.degrees(running.running_trim):.6g} deg, bow down; running sinkage "
+            f"{running.running_sinkage:.6g} m"
+        )
+    if running.wind is not None:
+        lines.append(f"damping by the sails in a true wind of {running.wind.speed:.6g} m/s, with the waves")
     if design.wet_deck is not None:
         lines.append(
             f"wet-deck clearance: {design.wet_deck.clearance:.6g} m; threshold: {case.threshold} m/s"
         )
     return lines
+
+
+def _theory_line(case: Case) -> str:
+    """Return the theory with its choices."""
+    theory = case.theory
+    if isinstance(theory, RecommendedSettings):
+        chosen = recommended_theories(
+            case.design.hull.length, case.condition.speed, (case.condition.wave_direction,), theory.quick
+        )
+        words = f"recommended, {theory_words(chosen)} at this heading, interaction {theory.strip.interaction}"
+        by_panels = theory.potential_flow if "potential-flow" in chosen else None
+    else:
+        name = next(name for name in THEORY_NAMES if theory == case.within.of(name))
+        words = f"{IN_A_SENTENCE[name]}, interaction {theory.interaction}"
+        by_panels = theory if name == "potential-flow" else None
+    if by_panels is None:
+        return words
+    return (
+        f"{words}, wave field {by_panels.wave_field}, tunnel damping {by_panels.tunnel_damping:g}, "
+        f"{by_panels.panels} panels"
+    )
 
 
 def csv_file(table: xr.Dataset, case: Case) -> bytes:

@@ -20,7 +20,8 @@ class Head(anywidget.AnyWidget):
     Attributes
     ----------
     verdict : one sentence; tone : 'good', 'bad', 'plain' or 'old'; remark : a line below it.
-    busy, progress, task : of the long work; action : '', 'stop' or 'resume', the button that is offered.
+    busy, progress, task : of the long work; action : '', 'stop', 'resume' or 'refine', the button that is offered.
+    origin : by which theory the results were computed.
     problems : sentences why nothing can be computed; error : an unexpected one.
     state : the inputs as JSON, kept by the browser; permalink : the small ones as a query.
     """
@@ -37,6 +38,7 @@ class Head(anywidget.AnyWidget):
     progress = traitlets.Float(0.0).tag(sync=True)
     task = traitlets.Unicode("").tag(sync=True)
     action = traitlets.Unicode("").tag(sync=True)
+    origin = traitlets.Unicode("").tag(sync=True)
     problems = traitlets.List().tag(sync=True)
     error = traitlets.Unicode("").tag(sync=True)
     state = traitlets.Unicode("").tag(sync=True)

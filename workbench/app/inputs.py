@@ -4,6 +4,7 @@ from typing import Any
 
 from workbench.app.control import Input, number_input, rounded_to
 from workbench.app.method_inputs import METHOD_DEFAULTS, method_inputs
+from workbench.app.running_inputs import RUNNING_DEFAULTS, running_inputs
 from workbench.app.ship_inputs import clearance_input, ship_inputs
 from workbench.design import Design
 from workbench.impact.pressure import LAWS
@@ -20,6 +21,8 @@ GROUPS = (
     ("deck", "More of the wet deck", False),
     ("hull", "Hulls", False),
     ("masses", "Masses", False),
+    ("running", "Attitude at speed", False),
+    ("sails", "Wind and sails", False),
     ("method", "Method", False),
 )
 """Groups: key, heading, whether open at first."""
@@ -39,6 +42,7 @@ CONDITION_DEFAULTS: dict[str, Any] = {
     "coefficient": 50.0,
     "seed": 1,
     **METHOD_DEFAULTS,
+    **RUNNING_DEFAULTS,
 }
 
 _LAW_WORDS = {
@@ -131,4 +135,4 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
         Input(name="hours", label="Hours of exposure [h]", group="slams", phrases=("hours",), step=0.5),
         Input(name="seed", label="Seed of the realisation [-]", group="slams", phrases=("seed",), step=1),
     ]  # fmt: skip
-    return (*found, *ship_inputs(design), *method_inputs(design))
+    return (*found, *ship_inputs(design), *running_inputs(design), *method_inputs(design))

@@ -15,7 +15,7 @@ from workbench.app.desk import Desk
 from workbench.app.form import Form
 from workbench.app.head import Head
 from workbench.app.inputs import GROUPS, inputs_for
-from workbench.app.method_inputs import METHOD_DEFAULTS
+from workbench.app.method_inputs import METHOD_DEFAULTS, PANEL_METHOD_ACTS, panel_method_acts
 from workbench.app.model import LOADED, Model
 from workbench.app.notes import notes_under
 from workbench.app.panels.animation import AnimationPanel
@@ -24,8 +24,11 @@ from workbench.app.panels.files import FilesPanel
 from workbench.app.panels.motions import MotionsPanel
 from workbench.app.panels.pressure import PressurePanel
 from workbench.app.panels.slamming import SlammingPanel
+from workbench.app.panels.theories import TheoriesPanel
+from workbench.app.progress_words import may_refine, origin_of, state_of
+from workbench.app.running_inputs import RUNNING_DEFAULTS
 from workbench.app.ship_inputs import inputs_of
-from workbench.errors import InputError
+from workbench.conventions import KNOT
 from workbench.hulls import library
 
 PERMALINK = (
@@ -45,6 +48,7 @@ class Page:
 
     def __init__(self) -> None:
         self._lock = threading.RLock()
+        self._offers_refinement = False
         self.model = Model()
         self.head = Head(self._head_said, version=__version__)
         self.form = Form(
@@ -59,6 +63,7 @@ class Page:
             SlammingPanel(self.model, post),
             PressurePanel(self.model, post),
             AnimationPanel(self.model, post),
+            TheoriesPanel(self.model, post, self.desk.compare),
             DesignPanel(self.model, post),
             FilesPanel(self.model, post, self.head.send_file, self._want_scene),
         ]
@@ -78,12 +83,12 @@ class Page:
         self._describe_inputs()
         self.model.observe(self._describe_fields, names=["base"])
         self.model.observe(
-            self._describe_inputs, names=["inputs", "base", "problems", "notice", "design_name"]
+            self._describe_inputs, names=["inputs", "base", "problems", "notice", "design_name", "refined"]
         )
-        self.model.observe(self.desk.post, names=["inputs", "base"])
-        self.model.observe(self._describe_results, names=["findings", "problems"])
+        self.model.observe(self.desk.post, names=["inputs", "base", "refined"])
+        self.model.observe(self._describe_results, names=["findings", "problems", "refined"])
         self.desk.observe(self._describe_results, names=["is_current", "error"])
-        for job in (self.desk.hull_job, self.desk.count_job):
+        for job in self.desk.jobs:
             job.observe(self._describe_work, names=["state", "progress", "message", "error"])
         self.tabs.observe(self._tab_changed, names=["selected_index"])
         self._tab_changed()
@@ -104,6 +109,8 @@ class Page:
             self._describe_work()
         elif kind == "resume":
             self.desk.resume()
+        elif kind == "refine":
+            self.model.refine()
         elif kind == "hello":
             height = content.get("height")
             if isinstance(height, int | float):
@@ -153,14 +160,14 @@ class Page:
         with self._lock, self.form.hold_sync():
             self.form.designs = designs
             self.form.design = model.design_name
-            self.form.values = inputs
+            self.form.values = inputs | {PANEL_METHOD_ACTS: self._panel_method_acts(inputs)}
             self.form.problems = dict(model.problems)
             self.form.notes = notes_under(inputs, model.base)
             self.form.changed = changed
         small = {name: inputs[name] for name in PERMALINK if name in inputs and inputs[name] != ""}
         small |= {
             name: inputs[name]
-            for name, usual in METHOD_DEFAULTS.items()
+            for name, usual in (METHOD_DEFAULTS | RUNNING_DEFAULTS).items()
             if name in inputs and inputs[name] != usual
         }
         with self._lock, self.head.hold_sync():
@@ -170,6 +177,15 @@ class Page:
             self.head.state = json.dumps(state)
             self.head.remark = model.notice
 
+    def _panel_method_acts(self, inputs: dict[str, Any]) -> str:
+        """Return whether the controls of the panel method act, "yes" or "no"."""
+        try:
+            speed = float(inputs["speed_knots"]) * KNOT
+        except (TypeError, ValueError):
+            return "no"
+        acts = panel_method_acts(str(inputs.get("theory")), self.model.base.hull.length, speed)
+        return "yes" if acts else "no"
+
     def _describe_results(self, *_: object) -> None:
         head, slam = self.head, self.model.findings.slam if self.model.findings else None
         with self._lock, head.hold_sync():
@@ -177,6 +193,9 @@ class Page:
             head.error = self.desk.error
             if self.model.findings is not None:
                 head.verdict = self.model.verdict()
+            wanted = self.model.quiet_case()
+            head.origin = origin_of(self.model.findings, wanted) if self.desk.is_current else ""
+            self._offers_refinement = self.desk.is_current and may_refine(self.model.findings, wanted)
             if not self.desk.is_current:
                 head.tone = "old"
             elif slam is None:
@@ -184,34 +203,20 @@ class Page:
             else:
                 meets = float(slam.statistics.slams_per_hour.max()) <= slam.criterion_per_hour
                 head.tone = "good" if meets else "bad"
+        self._show_work()
 
     def _describe_work(self, *_: object) -> None:
-        hull, count = self.desk.hull_job, self.desk.count_job
-        head = self.head
-        with self._lock, head.hold_sync():
-            busy = next((job for job in (hull, count) if job.state == "running"), None)
-            head.busy = busy is not None
-            head.progress = busy.progress if busy else 0.0
-            failed = next((job for job in (hull, count) if job.state == "failed"), None)
-            explained = failed is not None and isinstance(failed.failure, InputError)
-            if busy is not None:
-                words = "Solving the waves about the hull" if busy is hull else "Counting slams"
-                head.task = (
-                    f"{words}: {busy.message}"
-                    if busy is hull and busy.message
-                    else busy.message or f"{words} …"
-                )
-                head.action = "stop"
-            elif failed is not None and not explained:
-                head.task, head.action = failed.error, "resume"
-            elif hull.state == "cancelled":
-                head.task, head.action = "Stopped. The results below belong to former inputs.", "resume"
-            elif count.state == "cancelled":
-                head.task, head.action = "Stopped. The slams were not counted for these inputs.", "resume"
-            else:
-                head.task, head.action = "", ""
-        if hull.state == "failed" and hull.error:
+        self._show_work()
+        if self.desk.hull_job.state == "failed" and self.desk.hull_job.error:
             self.desk.post()
+
+    def _show_work(self) -> None:
+        """Let the head say what is being computed."""
+        work, head = state_of(self.desk), self.head
+        with self._lock, head.hold_sync():
+            head.busy, head.progress, head.task = work.busy, work.progress, work.task
+            idle = not work.busy and not work.action
+            head.action = "refine" if idle and self._offers_refinement else work.action
 
 
 def app() -> widgets.Widget:

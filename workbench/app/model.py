@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +21,7 @@ from workbench.app.reading import (
     uploaded_design,
     usual_inputs,
 )
+from workbench.app.running_inputs import RUNNING_DEFAULTS
 from workbench.app.ship_inputs import inputs_of
 from workbench.design import Design
 from workbench.errors import InputError
@@ -32,6 +34,8 @@ if TYPE_CHECKING:
 
 FIRST_DESIGN = "austal-63"
 LOADED = "loaded"
+MOST_REFINED = 8
+"""Refined inputs that are remembered."""
 ALIKE = 1.5
 """Ratio of lengths up to which another design keeps speed and sea."""
 
@@ -57,6 +61,15 @@ class Counted:
     counts: xr.Dataset
 
 
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Theories laid over each other, and what they were computed for."""
+
+    key: tuple
+    motions: xr.Dataset
+    measured: tuple[xr.Dataset, ...]
+
+
 class Model(traitlets.HasTraits):
     """Everything that one page knows.
 
@@ -67,7 +80,8 @@ class Model(traitlets.HasTraits):
     inputs : name to value, in the units of the labels (numbers may still be text while they are typed).
     problems : name of a control to the sentence why it cannot be used; empty when all can.
     notice : a sentence about what was done for the reader.
-    findings, counted, scene : the newest results, which may be out of date.
+    refined : inputs for which the reader asked for the panel method, newest last.
+    findings, counted, scene, compared : the newest results, which may be out of date.
     """
 
     design_name = traitlets.Unicode(FIRST_DESIGN)
@@ -77,6 +91,8 @@ class Model(traitlets.HasTraits):
     notice = traitlets.Unicode("")
     findings = traitlets.Instance(Findings, allow_none=True)
     counted = traitlets.Instance(Counted, allow_none=True)
+    compared = traitlets.Instance(Compared, allow_none=True)
+    refined = traitlets.Tuple()
     scene = traitlets.Any(None, allow_none=True)
     scene_key = traitlets.Any(None, allow_none=True)
 
@@ -112,7 +128,8 @@ class Model(traitlets.HasTraits):
             self.design_name = name
             self.notice = notice
             self.problems = {}
-            self.inputs = kept | inputs_of(design)
+            usual_attitude = {key: value for key, value in RUNNING_DEFAULTS.items() if key in own}
+            self.inputs = kept | usual_attitude | inputs_of(design)
 
     def change(self, name: str, value: Any) -> None:
         """Change one input, with what goes with it."""
@@ -131,13 +148,35 @@ class Model(traitlets.HasTraits):
     def case(self) -> Case | None:
         """Return the case of the present inputs, or None after setting ``problems``."""
         try:
-            found = case_of(self.base, dict(self.inputs))
+            found = self._case()
         except Problems as error:
             self.problems = dict(error.sentences)
             return None
         if self.problems:
             self.problems = {}
         return found
+
+    def quiet_case(self) -> Case | None:
+        """Return the case of the present inputs, or None; says nothing of problems."""
+        try:
+            return self._case()
+        except Problems:
+            return None
+
+    def _case(self) -> Case:
+        found = case_of(self.base, dict(self.inputs))
+        is_refined = found.refinement is not None and _refined_key(found) in self.refined
+        return dataclasses.replace(found, is_refined=True) if is_refined else found
+
+    def refine(self) -> None:
+        """Ask for the panel method for the present inputs, where it is recommended."""
+        case = self.case()
+        if case is not None and case.refinement is not None and not case.is_refined:
+            self.refined = (*self.refined, _refined_key(case))[-MOST_REFINED:]
+
+    def leave_unrefined(self, case: Case) -> None:
+        """Take back the request for the panel method."""
+        self.refined = tuple(key for key in self.refined if key != _refined_key(case))
 
     @property
     def blockers(self) -> tuple[str, ...]:
@@ -147,7 +186,9 @@ class Model(traitlets.HasTraits):
     def state(self) -> dict[str, Any]:
         """Return all that is needed to open this page again, as plain values."""
         loaded = design_to_toml(self.base) if self.design_name == LOADED else ""
-        return {"design": self.design_name, "toml": loaded, "inputs": dict(self.inputs)}
+        state = {"design": self.design_name, "toml": loaded, "inputs": dict(self.inputs)}
+        case = self.quiet_case() if self.refined else None
+        return state | ({"refined": True} if case is not None and case.is_refined else {})
 
     def restore(self, state: dict[str, Any]) -> list[str]:
         """Open a page again; returns sentences about what of the state could not be used."""
@@ -173,6 +214,8 @@ class Model(traitlets.HasTraits):
             else:
                 usable[key] = as_typed(key, value, self.base)
         self.inputs = self.inputs | usable
+        if state.get("refined") is True:
+            self.refine()
         return ignored
 
     def verdict(self) -> str:
@@ -196,3 +239,8 @@ class Model(traitlets.HasTraits):
             least_clearance=slam.least_clearance,
             criterion_per_hour=slam.criterion_per_hour,
         )
+
+
+def _refined_key(case: Case) -> tuple:
+    """Return what the results by the panel method depend on."""
+    return case.unrefined.response_key, case.refinement

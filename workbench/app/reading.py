@@ -8,7 +8,8 @@ from typing import Any
 from workbench.app.case import LONGEST_COUNT, Case
 from workbench.app.control import rounded_to
 from workbench.app.inputs import CONDITION_DEFAULTS, OWN_SEA, inputs_for
-from workbench.app.method_inputs import settings_of
+from workbench.app.method_inputs import choices_of
+from workbench.app.running_inputs import running_state_of
 from workbench.app.ship_inputs import changed_part
 from workbench.conventions import GRAVITY, KNOT
 from workbench.design import Design
@@ -28,6 +29,7 @@ _GROUP_OF_PART = {
     "run": "run",
     "slams": "slams",
     "method": "method",
+    "running": "running",
 }
 
 
@@ -73,7 +75,8 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
     mass, hull = changed("masses", "masses"), changed("hull", "hull")
     condition = part("sea", lambda: _condition(inputs, number))
     slams = part("slams", lambda: _slam_choices(inputs, number))
-    settings = part("method", lambda: settings_of(inputs, number))
+    choices = condition and part("method", lambda: choices_of(inputs, number, base.hull, condition.speed))
+    running = part("running", lambda: running_state_of(inputs, number, base))
     design = None
     if not refused:
         design = part(
@@ -81,7 +84,10 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
         )
     if refused or design is None:
         raise Problems(refused)
-    return Case(design=design, condition=condition, settings=settings, **slams)
+    return Case(
+        design=design, condition=condition, settings=choices.first, refinement=choices.refinement,
+        within=choices.within, running_state=running, **slams,
+    )  # fmt: skip
 
 
 def _condition(inputs: dict[str, Any], number) -> Condition:

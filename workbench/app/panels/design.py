@@ -1,12 +1,11 @@
 """Design: lines, arrangement, hydrostatics, and where each figure comes from."""
 
-from collections.abc import Mapping
 from html import escape
-from typing import Any
 
 import numpy as np
 
 from workbench import quantities
+from workbench.app.panels.motions import gap_frequencies
 from workbench.app.panels.panel import Drawing, Panel, card, grid, table
 from workbench.figures.hull_lines import arrangement_figure, body_plan_figure
 from workbench.geometry.sections import sections, surface
@@ -80,7 +79,7 @@ class DesignPanel(Panel):
             value = float(np.ravel(ship.hydrostatics[name].values)[0])
             rows.append((f"{name.replace('_', ' ')}, {axis}", f"{value:.4g} m"))
         rows.append(("mass", _with_unit(design.masses.mass, "kg")))
-        rows += gap_rows(ship.hydrodynamics.attrs)
+        rows += gap_rows(ship)
         self.afloat.value = table("Hydrostatics as it floats", ("quantity", "value"), rows)
         standings = {"published": "published", "derived": "derived", "ours": "our own choice"}
         body = "".join(
@@ -101,16 +100,16 @@ class DesignPanel(Panel):
         )
 
 
-def gap_rows(attributes: Mapping[str, Any]) -> list[tuple[str, str]]:
+def gap_rows(ship) -> list[tuple[str, str]]:
     """Rows on the resonance of the water between two hulls, none for a ship without that."""
-    modes = (("gap_piston_frequency", "piston"), ("gap_sloshing_frequency", "sloshing"))
+    if ship.design.hull.count != 2:
+        return []
     return [
         (
             f"water between the hulls resonates ({mode}, estimate)",
-            f"{attributes[name]:.3g} rad/s, waves of {2 * np.pi / attributes[name]:.3g} s",
+            f"{frequency:.3g} rad/s, waves of {2 * np.pi / frequency:.3g} s",
         )
-        for name, mode in modes
-        if name in attributes
+        for mode, frequency in gap_frequencies(ship)._asdict().items()
     ]
 
 

@@ -104,8 +104,15 @@ class FilesPanel(Panel):
             f"{self._stem}-inputs.json", "application/json", exports.inputs_file(self.model.state())
         )
 
-    def _motions_csv(self) -> str:
+    def _with_headings(self):
+        """Return the findings once all headings are computed, or a sentence why they are not."""
         found, reason = self._ready()
+        if found and found.ship.motions.sizes["wave_direction"] == 1:
+            return None, "The other headings are still being computed; try again in a moment."
+        return found, reason
+
+    def _motions_csv(self) -> str:
+        found, reason = self._with_headings()
         if not found:
             return reason
         return self._send(
@@ -113,7 +120,7 @@ class FilesPanel(Panel):
         )
 
     def _motions_netcdf(self) -> str:
-        found, reason = self._ready()
+        found, reason = self._with_headings()
         if not found:
             return reason
         return self._send(

@@ -3,10 +3,15 @@
 import numpy as np
 
 from workbench import quantities
+from workbench.app.method_inputs import theory_words
 from workbench.app.panels.panel import Drawing, Panel, card, grid, table
+from workbench.app.theory_in_use import theories_of
 from workbench.conventions import MODES, ROTATIONS
 from workbench.figures import motions as figures
 from workbench.figures import style
+from workbench.hydrodynamics.gap_resonance import GapResonance, gap_resonance
+from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
+from workbench.hydrodynamics.recommended import RecommendedSettings
 from workbench.motions import lead_over_wave
 
 _NOISE = 1e-8
@@ -59,7 +64,9 @@ class MotionsPanel(Panel):
 
     def _notes(self):
         sign = "Phases lead the wave elevation at the centre of gravity; pitch is positive bow down."
-        return (sign, *quantities.warnings_of(self.model.findings.ship.motions))
+        found = self.model.findings
+        origin = f"Computed by {theory_words(theories_of(found.case))}."
+        return (origin, sign, *quantities.warnings_of(found.ship.motions))
 
     def refresh(self, is_current: bool) -> None:
         """Fill the table of statistics."""
@@ -100,11 +107,19 @@ class MotionsPanel(Panel):
 
 def gap_frequency(ship) -> float | None:
     """Estimated resonance of the water between two hulls at rest, where it is in the motions [rad/s]."""
-    hull = ship.design.hull
-    together = hull.count == 2 and ship.settings.interacts(hull.count, ship.speed, hull.length)
-    if ship.speed > 0 or not together:
+    hull, theory = ship.design.hull, ship.settings
+    if isinstance(theory, RecommendedSettings):
+        theory = theory.strip if theory.quick else theory.potential_flow
+    if ship.speed > 0 or hull.count != 2 or isinstance(theory, HighSpeedSettings):
         return None
-    return ship.hydrodynamics.attrs.get("gap_piston_frequency")
+    return gap_frequencies(ship).piston if theory.interacts(hull.count, ship.speed, hull.length) else None
+
+
+def gap_frequencies(ship) -> GapResonance:
+    """Estimated resonances of the water between two hulls, whichever theory is used."""
+    hull, afloat = ship.design.hull, ship.hydrostatics
+    draught = float(afloat.volume / afloat.waterplane_area)
+    return gap_resonance(hull.spacing - hull.shape.beam, hull.shape.beam, draught)
 
 
 def _words(value: float) -> str:

@@ -50,10 +50,10 @@ function render({ model, el }) {
   const part = (selector) => el.querySelector(selector);
   part(".wb-lost button").addEventListener("click", () => location.reload());
   part(".wb-action").addEventListener("click", () => model.send({ type: model.get("action") }));
-  const labels = { stop: "Stop", resume: "Compute" };
-  function idle(blocked, tone) {
+  const labels = { stop: "Stop", resume: "Compute", refine: "Refine with the panel method" };
+  function idle(blocked, tone, origin) {
     if (blocked) return "Mend the marked input; what is shown below belongs to former inputs.";
-    return tone === "old" ? "What is shown below belongs to former inputs." : "Up to date with the inputs.";
+    return tone === "old" ? "What is shown below belongs to former inputs." : `Up to date with the inputs${origin ? `, ${origin}` : ""}.`;
   }
 
   function update() {
@@ -72,13 +72,13 @@ function render({ model, el }) {
     bar.firstElementChild.style.width = percent ? `${percent}%` : "";
     bar.classList.toggle("wb-unknown", !percent);
     bar.hidden = !busy;
-    const words = model.get("task") || model.get("remark") || idle(problems.length > 0, model.get("tone"));
+    const words = model.get("task") || model.get("remark") || idle(problems.length > 0, model.get("tone"), model.get("origin"));
     if (part(".wb-task").textContent !== words) part(".wb-task").textContent = words;
     const action = model.get("action");
     part(".wb-action").hidden = !action;
     part(".wb-action").textContent = labels[action] ?? "";
   }
-  const names = ["title", "version", "verdict", "tone", "remark", "busy", "progress", "task", "action", "problems", "error"];
+  const names = ["title", "version", "verdict", "tone", "remark", "origin", "busy", "progress", "task", "action", "problems", "error"];
   for (const name of names) model.on(`change:${name}`, update);
   for (const name of ["state", "permalink"]) model.on(`change:${name}`, () => keep(model));
   model.on("comm_live_update", () => { part(".wb-lost").hidden = false; document.body.classList.add("wb-dead"); });
