@@ -47,6 +47,17 @@ def test_panel_integrals_are_those_of_quadrature():
             assert velocity[row, column] == pytest.approx(across - 1j * up, abs=1e-9)
 
 
+def test_panels_in_one_line_do_not_see_each_other():
+    """Flat sides, at any slope: the normal velocity on one panel from the next is nothing."""
+    for slope in np.linspace(-3.0, 3.0, 200):
+        nodes = 0.37 + np.exp(1j * slope) * np.linspace(0.3, 2.1, 7)
+        along = np.exp(1j * slope)
+        _, velocity = panel_integrals((nodes[1:] + nodes[:-1]) / 2, nodes[:-1], nodes[1:])
+        across = (velocity * -1j * along).real
+        np.fill_diagonal(across, 0.0)
+        np.testing.assert_allclose(across, 0.0, atol=1e-9)
+
+
 def test_velocity_is_the_gradient_of_the_potential():
     step = 1e-6
     _, velocity = panel_integrals(POINTS, START, END)

@@ -50,7 +50,8 @@ def panel_integrals(
     log_first = np.where(first == 0, 0.0, log_first)
     log_second = np.where(second == 0, 0.0, log_second)
     potential = (first * log_first - second * log_second - (first - second)).real
-    return potential, (log_first - log_second) / along
+    seen = np.angle(first * np.conj(second))  # one angle, not two across the cut of the logarithm
+    return potential, (log_first.real - log_second.real + 1j * seen) / along
 
 
 @dataclass(frozen=True, eq=False)
