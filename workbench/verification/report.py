@@ -12,6 +12,7 @@ from workbench.verification import (
     feature_table,
     impact_cases,
     model_cases,
+    parametric_cases,
     record_cases,
     sail_cases,
     sea_cases,
@@ -34,6 +35,7 @@ GROUPS = {
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
     "sailing multihulls": sail_cases,
+    "parametric studies": parametric_cases,
     "simulation in time": simulation_cases,
     "Delft 372": delft_cases,
 }
