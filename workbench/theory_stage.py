@@ -133,6 +133,8 @@ def _recommended(
         found.attrs["warnings"] = quantities.joined_warnings(
             list(dict.fromkeys(sentence for part in parts for sentence in quantities.warnings_of(part)))
         )
+        for method, part in zip(methods, parts, strict=True):
+            found.attrs[f"{method} warnings"] = part.attrs["warnings"]
         found.attrs["method"] = " and ".join(methods)
         found.attrs["solver"] = " and ".join(part.attrs["solver"] for part in parts)
     found.attrs["recommendation"] = note
