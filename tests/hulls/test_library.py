@@ -7,6 +7,7 @@ from workbench.hulls import library
 
 EXPECTED = {
     "delft-372", "austal-63", "crowther-318", "educat", "catamaran-35", "trimaran-35", "cofea", "asr-5116",
+    "crowther-318-modified", "sally-malay",
     "hayes", "npl-3b", "npl-4a", "npl-4b", "npl-4c", "npl-5a", "npl-5b", "npl-5c", "npl-6a", "npl-6b",
     "npl-6c",
     "incat-061", "incat-064", "heavy-lift-198", "heavy-lift-198-model",
@@ -43,6 +44,7 @@ def test_every_design_says_where_its_figures_come_from(name):
     [
         ("delft-372", {"mass": 87.07, "spacing": 0.70, "draught": 0.15, "length": 3.0}),
         ("crowther-318", {"mass": 3700.0, "beam": 15.2 / 22}),
+        ("crowther-318-modified", {"beam": 15.2 / 22, "length": 14.9 + 1.9, "mass": 3700.0 * 16.8 / 14.9}),
         ("educat", {"mass": 2000.0, "length": 6.80}),
         ("catamaran-35", {"mass": 24_000.0, "clearance": 2.5}),
         ("trimaran-35", {"mass": 24_000.0, "clearance": 2.5}),
@@ -83,3 +85,49 @@ def test_a_design_is_made_quickly(name):
     start = time.perf_counter()
     library._DESIGNS[name]()
     assert time.perf_counter() - start < 0.15
+
+
+# K. Grande, MSc thesis, Curtin University of Technology, 2002: what each vessel of it has that is published
+GRANDE_VESSELS = {
+    "crowther-318": ("15.2 m", "10.8 m", "3700 kg", "about 22", "semi-SWATH"),
+    "crowther-318-modified": ("17.1 m (56 ft)",),
+    "austal-63": ("86.6 m", "24.0 m", "40 kn", "semi-SWATH", "T-foils"),
+    "educat": ("8 m", "6.80 m", "2.79 m", "2.0 t", "rubber"),
+    "cofea": ("120 m", "4.6 m", "4242 t", "20 m (not used)", "0.633, 0.925", "-0.336 m", "0.25 lengths"),
+    "catamaran-35": ("35 m", "21 m", "24000 kg", "2.5 m", "577 m2"),
+    "trimaran-35": ("35 m", "21 m", "24000 kg", "2.5 m", "577 m2"),
+    "sally-malay": ("36 ft", "stretched from 30 ft", "daggerboards", "fractional", "6 to 9 kn"),
+}
+
+
+@pytest.mark.parametrize("name", GRANDE_VESSELS)
+def test_vessels_of_grande_have_all_that_is_published_of_them(name):
+    provenance = library.design(name).provenance
+    given = " | ".join(value for _, value, source, standing in provenance if standing == "published")
+    for figure in GRANDE_VESSELS[name]:
+        assert figure in given
+
+
+@pytest.mark.parametrize("name", GRANDE_VESSELS)
+def test_what_the_source_does_not_give_is_said_to_be_missing(name):
+    entries = {quantity: (value, reason) for quantity, value, reason, standing in library.design(name).provenance
+               if standing == "ours"}  # fmt: skip
+    assert any("missing" in reason or "not given" in reason for _, reason in entries.values())
+    gravity = next(quantity for quantity in entries if quantity.startswith("centre of gravity"))
+    assert "missing" in entries[gravity][1] or "not given" in entries[gravity][1]
+
+
+def test_cofea_says_that_her_table_is_not_consistent():
+    reasons = {quantity: reason for quantity, _, reason, _ in library.design("cofea").provenance}
+    assert "not consistent" in reasons["beam"]
+    for coefficients, tonnes in (((0.633, 0.925), 6626.0), ((0.592, 0.948), 6351.0)):
+        block = coefficients[0] * coefficients[1]
+        assert 1.025 * block * 120.0 * 20.0 * 4.6 == pytest.approx(tonnes, rel=1e-3)  # against 4242, 4229
+
+
+def test_the_modified_crowther_is_the_crowther_stretched():
+    built, modified = library.design("crowther-318"), library.design("crowther-318-modified")
+    assert modified.hull.length - built.hull.length == pytest.approx(17.1 - 15.2)
+    assert modified.hull.shape.draught == built.hull.shape.draught
+    assert modified.wet_deck == built.wet_deck
+    assert modified.sail_plan == built.sail_plan

@@ -10,12 +10,14 @@ from functools import cache, partial
 
 from workbench.design import Design
 from workbench.errors import InputError
-from workbench.hulls.vessels import delft, ferries, heavy_lift, naval, npl, sailing
+from workbench.hulls.vessels import cruising, delft, ferries, heavy_lift, naval, npl, sailing
 
 _DESIGNS: dict[str, Callable[[], Design]] = {
     "delft-372": delft.delft_372,
     "austal-63": ferries.austal_63,
     "crowther-318": sailing.crowther_318,
+    "crowther-318-modified": sailing.crowther_318_modified,
+    "sally-malay": cruising.sally_malay,
     "educat": naval.educat,
     "catamaran-35": sailing.catamaran_35,
     "trimaran-35": sailing.trimaran_35,

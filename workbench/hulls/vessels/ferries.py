@@ -45,6 +45,8 @@ def austal_63() -> Design:
             published("length and breadth over all", "86.6 m, 24.0 m", f"{GRANDE}, table 3.2"),
             published("service speed", "40 kn", f"{GRANDE}, table 3.2"),
             published("kind of hull", "semi-SWATH bow blending to U sections aft", f"{GRANDE}, 3.1.3"),
+            published("appendages", "forward T-foils, interceptors", f"{GRANDE}, 3.1.3"),
+            ours("appendages of the stand-in", "none", "size and place are missing in the source"),
             ours(
                 "waterline length, beam, draught",
                 "76, 5.2, 3.1 m",

@@ -1,12 +1,17 @@
-"""Sailing multihulls: Crowther 318 and the 35 m catamaran and trimaran concepts, as stand-ins."""
+"""Sailing multihulls: Crowther 318, as built and lengthened, and the two 35 m concepts, as stand-ins."""
+
+from dataclasses import replace
 
 from workbench.design import Design, Hull, WetDeck
 from workbench.hulls.vessels import fitting
 from workbench.hulls.vessels.provenance import GRANDE, derived, ours, published
 from workbench.sails import SailPlan, tapered_sail_plan
 from workbench.shapes import SemiSwath, SlenderRacing
+from workbench.variants import lengthened
 
 SEA = 1025.0
+LENGTH_318, MODIFIED_LENGTH = 15.2, 17.1
+"""Over all, of the Crowther 318 as built and modified [m]."""
 UPWIND_LIFT = 1.2
 """Lift coefficient of sails close-hauled, ours [-]."""
 UPWIND_SAIL_AREA_35 = 577.0
@@ -78,6 +83,33 @@ def crowther_318() -> Design:
             ),
         ),
     )
+
+
+def crowther_318_modified() -> Design:
+    """Return a stand-in for the Crowther 318 lengthened from 15.2 to 17.1 m."""
+    base = crowther_318()
+    longer = lengthened(base, MODIFIED_LENGTH - LENGTH_318)
+    mass = longer.masses.mass
+    return replace(
+        longer,
+        name="crowther-318-modified",
+        title="Crowther 318 lengthened to 17.1 m (stand-in)",
+        provenance=(
+            *base.provenance,
+            published("length over all, modified", "17.1 m (56 ft)", f"{GRANDE}, 3.1.2"),
+            ours(
+                "modified hulls",
+                f"waterline {longer.hull.length:.1f} m, sections of the original further apart",
+                "how she was lengthened is missing in the source",
+            ),
+            derived("displacement, modified", f"{mass:.0f} kg", "floats the longer hulls at the same draught"),
+            ours(
+                "masses, modified",
+                "centre of gravity and gyradii in proportion to the length; wet deck and sails kept",
+                "missing in the source",
+            ),
+        ),
+    )  # fmt: skip
 
 
 def catamaran_35() -> Design:
