@@ -68,7 +68,7 @@ def hydrodynamics(
         hull, density, float(speed), tuple(map(float, wave_directions)), tuple(frequencies.tolist()), settings
     )
     progress(1.0, "Sections solved")
-    return tuple(part if part is None else part.copy() for part in found)
+    return tuple(part if part is None else part.copy(deep=True) for part in found)
 
 
 @lru_cache(maxsize=16)
