@@ -277,3 +277,11 @@ def test_columns_do_not_mix():
     first = passage([contour] * 30, 0.05, water, lambda n, c: two(n, c)[:, :1], 1).section_potential
     second = passage([contour] * 30, 0.05, water, lambda n, c: two(n, c)[:, 1:], 1).section_potential
     np.testing.assert_allclose(both, np.concatenate([first, second], axis=-1), rtol=1e-10, atol=1e-12)
+
+
+def test_water_begins_to_rise_in_step():
+    """A steady push in still water: elevations go as the time, which the staggered steps begin by half a step."""
+    water = Water(12.0, OFF_THE_GRID, 1)
+    contour = contour_of(arc(panels=12, half=True))
+    rise = passage([contour] * 3, 1e-4, water, pushed(1, 9), 1, field_y=[2.0]).elevation[:, 0, 0].real
+    assert rise[2] / rise[1] == pytest.approx(2.0, rel=1e-3)
