@@ -93,3 +93,26 @@ def test_at_rest_it_is_rice_and_rayleigh(sea):
     found, plain = direct_statistics(moments, height_of(0.7)), slamming_statistics(moments, height_of(0.7))
     for name in ("slams_per_hour", "mean_entry_velocity"):
         assert float(found[name][0, 0]) == pytest.approx(float(plain[name][0, 0]), rel=1e-6)
+
+
+def test_scatter_of_the_slope_is_in_the_mean_velocity(sea):
+    """Rates drawn from Rayleigh's distribution, slopes from the normal one about their line in height and rate."""
+    relative, energy, _ = sea
+    moments = response_moments(relative, energy).assign_attrs(speed=40.0)
+    motion, rate, slope, on_rate, on_motion = (
+        float(moments[name][0, 0])
+        for name in (
+            "relative_motion_std", "relative_velocity_std", "relative_slope_std", "velocity_slope_covariance",
+            "motion_slope_covariance",
+        )
+    )  # fmt: skip
+    rng = np.random.default_rng(5)
+    fast = rate * np.sqrt(-2 * np.log(rng.uniform(size=400_000)))
+    scatter = np.sqrt(slope**2 - on_motion**2 / motion**2 - on_rate**2 / rate**2)
+    slopes = on_motion / motion**2 * HEIGHT + on_rate / rate**2 * fast + scatter * rng.normal(size=fast.size)
+    past = fast - 40.0 * slopes
+    found = direct_statistics(moments, height_of(HEIGHT))
+    plain = slamming_statistics(moments, height_of(HEIGHT))
+    share = float(found.slams_per_hour[0, 0] / plain.slams_per_hour[0, 0])
+    assert share == pytest.approx(np.mean(past > 0), rel=0.03)
+    assert float(found.mean_entry_velocity[0, 0]) == pytest.approx(past[past > 0].mean(), rel=0.02)
