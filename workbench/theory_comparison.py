@@ -88,7 +88,7 @@ def compared(
             continue
         times[method] = time.perf_counter() - start
         found[method] = _steady(moved, waves)
-        notes += quantities.warnings_of(moved)
+        notes += [f"{THEORY_NAMES[method].capitalize()}: {line}" for line in quantities.warnings_of(moved)]
     if not found:
         raise InputError(" ".join(refused) or "theories to compare must be one at least, got none; name one.")
     values = np.stack(list(found.values()))
@@ -96,7 +96,11 @@ def compared(
         {"theory": list(found), "omega": waves, "dof": list(MODES)},
         method=" and ".join(found),
         warnings=notes,
-        attrs={"speed": float(speed), "wave_direction": float(wave_direction), "left_out": "\n".join(refused)},
+        attrs={
+            "speed": float(speed),
+            "wave_direction": float(wave_direction),
+            "left_out": "\n".join(refused),
+        },
         motion_ratio=(("theory", "omega", "dof"), np.abs(values)),
         motion_lead=(("theory", "omega", "dof"), -np.angle(values)),
         wavelength_over_length=("omega", wavelengths(waves, design.hull.length)),

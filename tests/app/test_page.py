@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 from workbench import potential_flow_stage, radiation_store
-from workbench.app import main, server
+from workbench.app import desk, main, server
 from workbench.app.main import app
 from workbench.app.method_inputs import PANEL_METHOD_ACTS
 from workbench.app.panels.design import gap_rows
@@ -27,6 +27,7 @@ from workbench.scene import stills
 
 @pytest.fixture(scope="module")
 def page():
+    desk.REST_DELAY = 0.1
     made = app().page
     assert made.desk.settle(120)
     assert made.desk.error == ""
@@ -128,6 +129,8 @@ def test_any_heading_of_a_long_crested_sea_is_computed(page):
 
 
 def test_new_speed_brings_the_heading_of_the_sea_first_and_then_all(page):
+    open_tab(page, "Motions")
+    open_tab(page, "Slamming")
     seen, headings = [], []
     speed = page.model.findings.ship.speed
 
@@ -144,6 +147,11 @@ def test_new_speed_brings_the_heading_of_the_sea_first_and_then_all(page):
     assert page.model.findings.ship.speed > speed
     assert page.desk.is_current
     assert "by high-speed theory" in page.head.origin
+    warned = page.model.findings.ship.motions.attrs["warnings"]
+    for notes in (page.panels[0].rao.notes, page.panels[1].plan.notes):
+        assert any("tau" in note for note in notes)
+        assert not any("Strip theory gives no added mass" in note for note in notes)
+    assert "Strip theory gives no added mass" in warned
 
 
 def test_another_method_greys_until_it_is_computed_and_stands_in_the_address(page):
@@ -161,6 +169,7 @@ def test_another_method_greys_until_it_is_computed_and_stands_in_the_address(pag
     assert ship.running_state.running_trim == pytest.approx(np.radians(0.5))
     assert page.head.origin == "by strip theory"
     assert "Computed by strip theory." in page.panels[0].rao.notes
+    assert any("Strip theory gives no added mass" in note for note in page.panels[0].rao.notes)
     assert page.panels[0].rao.picture != picture
     assert {"theory=strip", "running_trim_degrees=0.5"} <= set(page.head.permalink.split("&"))
     other = main.Page()
@@ -258,13 +267,13 @@ def test_refused_refinement_leaves_the_quick_results(page, monkeypatch):
 
 def test_theories_are_compared_when_asked(page):
     panel = open_tab(page, "Theories")
-    assert panel.results.layout.display == "none"
+    assert "wb-not-yet" in panel.results._dom_classes
     assert "Fn 0.4" in panel.state.value
     panel.button.click()
     assert page.desk.settle(60)
     assert panel.picture.picture.startswith(b"\x89PNG")
     assert "strip theory, high-speed theory" in panel.picture.words
-    assert panel.results.layout.display == ""
+    assert "wb-not-yet" not in panel.results._dom_classes
     assert "<td>high-speed theory</td>" in panel.numbers.value
     assert "Against the" not in panel.numbers.value
     page.model.change("heading_degrees", 150)

@@ -73,7 +73,12 @@ def test_verification():
     assert differences["heave Fn 0.3 together"] == pytest.approx(0.096, abs=0.02)
     assert differences["pitch Fn 0.3 apart"] == pytest.approx(0.098, abs=0.02)
     assert differences["heave Fn 0.75 apart"] == pytest.approx(0.183, abs=0.02)
-    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 2
+    theories = found["theories"]
+    assert theories["high-speed Fn 0.75"] == pytest.approx(0.054, abs=0.015)
+    assert theories["high-speed Fn 0.3"] == pytest.approx(0.057, abs=0.015)
+    assert theories["strip Fn 0.3"] == pytest.approx(0.13, abs=0.02)
+    assert theories["potential-flow Fn 0.3"] == pytest.approx(0.127, abs=0.02)
+    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 4
 
 
 @pytest.mark.slow

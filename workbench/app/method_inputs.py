@@ -39,7 +39,7 @@ def method_inputs(design: Design) -> list[Input]:
     theory = Input(
         name="theory", label="Theory", group="method", kind="choice",
         choices=(
-            ("recommended", "recommended, by speed and heading"),
+            ("recommended", "recommended at this speed"),
             *((name, THEORY_NAMES[name]) for name in METHODS if name in THEORY_NAMES),
         ),
         phrases=("froude number", "theory"),

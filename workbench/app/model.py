@@ -214,6 +214,7 @@ class Model(traitlets.HasTraits):
             else:
                 usable[key] = as_typed(key, value, self.base)
         self.inputs = self.inputs | usable
+        self.notice = ""
         if state.get("refined") is True:
             self.refine()
         return ignored

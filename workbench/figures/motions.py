@@ -126,6 +126,7 @@ def _mark_gap(axes, gap_frequency: float | None, abscissa: str, length: float) -
         "gap resonance, estimated", (place, 0.97), xycoords=("data", "axes fraction"), rotation=90, va="top",
         xytext=(-2 if near_the_end else 2, 0), textcoords="offset points",
         ha="right" if near_the_end else "left", color=style.WARM, fontsize=10,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.5},
     )  # fmt: skip
 
 

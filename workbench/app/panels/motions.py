@@ -5,7 +5,7 @@ import numpy as np
 from workbench import quantities
 from workbench.app.method_inputs import theory_words
 from workbench.app.panels.panel import Drawing, Panel, card, grid, table
-from workbench.app.theory_in_use import theories_of
+from workbench.app.theory_in_use import relevant, theories_of
 from workbench.conventions import MODES, ROTATIONS
 from workbench.figures import motions as figures
 from workbench.figures import style
@@ -66,7 +66,7 @@ class MotionsPanel(Panel):
         sign = "Phases lead the wave elevation at the centre of gravity; pitch is positive bow down."
         found = self.model.findings
         origin = f"Computed by {theory_words(theories_of(found.case))}."
-        return (origin, sign, *quantities.warnings_of(found.ship.motions))
+        return (origin, sign, *relevant(quantities.warnings_of(found.ship.motions), found))
 
     def refresh(self, is_current: bool) -> None:
         """Fill the table of statistics."""

@@ -6,6 +6,7 @@ import xarray as xr
 from workbench import quantities
 from workbench.app.panels.panel import Drawing, card, grid, table
 from workbench.app.panels.slamming import SlammingPanel
+from workbench.app.theory_in_use import relevant
 from workbench.figures.deck_plan import deck_plan_figure
 from workbench.figures.pressure import pressure_histogram_figure
 from workbench.figures.style import message_figure, number_words
@@ -162,7 +163,7 @@ class PressurePanel(SlammingPanel):
         )  # fmt: skip
 
     def _plan_notes(self):
-        return quantities.warnings_of(self.model.findings.slam.statistics)
+        return relevant(quantities.warnings_of(self.model.findings.slam.statistics), self.model.findings)
 
     def _event_notes(self):
         return (self._event()[1],)

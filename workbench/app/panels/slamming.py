@@ -2,6 +2,7 @@
 
 from workbench import quantities
 from workbench.app.panels.panel import Drawing, Panel, card, grid, table
+from workbench.app.theory_in_use import relevant
 from workbench.figures.clearance import clearance_figure
 from workbench.figures.counts import counts_figure, velocity_classes_figure
 from workbench.figures.deck_plan import deck_plan_figure
@@ -75,9 +76,11 @@ class SlammingPanel(Panel):
         return f"Plan of the wet deck with contours of {field}. {self.model.verdict()}"
 
     def _plan_notes(self):
-        found = self.model.findings.slam.statistics
-        of_pressure = found.attrs["pressure_warnings"].split("\n")
-        return tuple(line for line in quantities.warnings_of(found) if line not in of_pressure)
+        found = self.model.findings
+        statistics = found.slam.statistics
+        of_pressure = statistics.attrs["pressure_warnings"].split("\n")
+        others = (line for line in quantities.warnings_of(statistics) if line not in of_pressure)
+        return relevant(others, found)
 
     def _curve_figure(self):
         found = self.model.findings

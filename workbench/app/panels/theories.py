@@ -10,7 +10,6 @@ from workbench import quantities
 from workbench.app.model import Model
 from workbench.app.panels.panel import Drawing, Panel, card, grid, table
 from workbench.conventions import froude_number
-from workbench.figures.style import number_words
 from workbench.figures.theories import theories_figure
 from workbench.hydrodynamics.settings import LOW_FROUDE_NUMBER
 
@@ -76,7 +75,7 @@ class TheoriesPanel(Panel):
         if not hasattr(self, "state"):
             return
         compared, case = self._compared(), self.model.quiet_case()
-        self.results.layout.display = "" if self.model.compared else "none"
+        (self.results.remove_class if self.model.compared else self.results.add_class)("wb-not-yet")
         if case is not None:
             self.state.value = f"<p class='wb-note'>{escape(_condition_words(case))}</p>"
         (self.numbers.remove_class if compared else self.numbers.add_class)("wb-is-old")
@@ -106,7 +105,7 @@ def tables(motions, measured) -> list[str]:
     for theory in found.theory.values:
         one = found.sel(theory=theory)
         cells = [
-            number_words(one[name].sel(dof=mode), 3)
+            f"{float(one[name].sel(dof=mode)):.2f}"
             for mode in ("heave", "pitch")
             for name in ("peak_ratio", "peak_wavelength")
         ]

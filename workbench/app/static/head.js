@@ -72,7 +72,7 @@ function render({ model, el }) {
     bar.firstElementChild.style.width = percent ? `${percent}%` : "";
     bar.classList.toggle("wb-unknown", !percent);
     bar.hidden = !busy;
-    const words = model.get("task") || model.get("remark") || idle(problems.length > 0, model.get("tone"), model.get("origin"));
+    const words = model.get("task") || [model.get("remark"), idle(problems.length > 0, model.get("tone"), model.get("origin"))].filter(Boolean).join(" ");
     if (part(".wb-task").textContent !== words) part(".wb-task").textContent = words;
     const action = model.get("action");
     part(".wb-action").hidden = !action;
