@@ -102,7 +102,7 @@ def test_far_from_its_bow_a_cylinder_scatters_waves_as_its_section():
         assert np.abs((found[:, column] - known)[:, :2] / scale).max() < 0.02
 
 
-@pytest.mark.parametrize(("half_spacing", "ka"), [(1.5, 1.5), (1.5, 2.0), (2.0, 1.0)])
+@pytest.mark.parametrize(("half_spacing", "ka"), [(1.5, 2.0), (2.0, 1.0)])
 def test_two_long_cylinders_feel_each_other_as_their_sections_do(half_spacing, ka):
     found = extrapolated((ka,), (HEAD, 2.2), half_spacing=half_spacing)
     omega = np.sqrt(GRAVITY * ka)
@@ -263,7 +263,7 @@ def test_only_surge_of_the_undisturbed_wave_is_there():
 def test_froude_krylov_forces_are_those_of_strip_theory():
     """Another integration of the same pressure; no dry transom."""
     for hull in (replace(TWIN, heel=np.radians(4.0)), TWIN):
-        fine = HighSpeedSettings(panels=32, transom="none")
+        fine = HighSpeedSettings(panels=24, transom="none")
         found = solved(hull, [0.8, 1.3], np.radians([180.0, 120.0]), 0.4, fine).froude_krylov_force.values
         known = strip_theory.hydrodynamics(
             hull, DENSITY, [0.8, 1.3], np.radians([180.0, 120.0]), speed_of(hull, 0.4), StripSettings()
