@@ -203,6 +203,21 @@ TABLE: dict[str, Quantity] = {
     "added_resistance": Quantity(
         "N/m2", "added resistance per wave amplitude squared", r"$R_{AW}/\zeta_a^2$"
     ),
+    # water entry of a section
+    "panel": Quantity("1", "panel of the section", "$i$"),
+    "panel_inner": Quantity("m", "inner edge of the panel, half-breadth", "$y_1$"),
+    "panel_outer": Quantity("m", "outer edge of the panel, half-breadth", "$y_2$"),
+    "penetration": Quantity("m", "penetration below calm water", "$h$"),
+    "section_acceleration": Quantity("m/s2", "downward acceleration of the section", r"$\ddot h$"),
+    "wetted_half_breadth": Quantity("m", "wetted half-breadth", "$c$"),
+    "wetted_rate": Quantity("m/s", "speed of the edge of the wetted part", r"$\dot c$"),
+    "section_force": Quantity("N/m", "vertical force per length, both sides", "$F$"),
+    "pressure_position": Quantity("m", "half-breadth of the pressure point", "$y$"),
+    "section_pressure": Quantity("Pa", "pressure on the section", "$p$"),
+    "panel_pressure": Quantity("Pa", "pressure averaged over the panel", r"$\bar p$"),
+    "peak_coefficient": Quantity("1", "peak pressure over dynamic pressure", "$k$"),
+    "peak_height": Quantity("m", "height of the peak pressure above calm water", "$z_{max}$"),
+    "jet_height": Quantity("m", "height of the jet tip above calm water", "$z_{jet}$"),
     # drawing
     "pose": Quantity("m, rad", "motion of the origin", r"$\xi_j$"),
     "hull_vertices": Quantity("m", "hull surface points", "$x$"),
