@@ -1,0 +1,308 @@
+"""One interface to the theories of water entry: section, velocity and theory in, forces and pressures out."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from scipy.interpolate import CubicSpline
+
+from workbench import quantities
+from workbench.conventions import SEAWATER_DENSITY
+from workbench.errors import InputError, checked_choice, checked_number
+from workbench.impact import chuang, generalised_section, generalised_wagner, logvinovich, plate, similarity
+from workbench.impact.plate import Instant
+from workbench.impact.quadrature import running_integral
+from workbench.impact.section import Section, Wedge
+
+METHODS = (
+    "von-karman",
+    "wagner",
+    "generalised-wagner",
+    "logvinovich",
+    "similarity",
+    "nonlinear",
+    "chuang",
+)
+POINTS = 201
+"""Number of pressure points per instant in a result."""
+
+AIR_CUSHION = 3.0
+STEEP = {"wagner": 30.0, "generalised-wagner": 45.0, "logvinovich": 45.0, "von-karman": 45.0}
+"""Deadrise beyond which a theory is far from the exact wedge [degrees]."""
+
+STEEPEST_LOGVINOVICH = 70.0
+"""Deadrise beyond which the modified Logvinovich model has no positive pressure worth the name [degrees]."""
+
+BEYOND = {
+    "wagner": "Wagner's theory holds for small deadrise; above 30 degrees its force is more than 60 % too high",
+    "generalised-wagner": "The generalised Wagner model gives 11 % too much force at 45 degrees and more above",
+    "logvinovich": "The modified Logvinovich model gives 22 % too much force and 60 % too much peak pressure at 45 "
+    "degrees, and more above",
+    "von-karman": "Von Karman's theory holds for small deadrise",
+}
+
+
+@dataclass(frozen=True)
+class VelocityHistory:
+    """Downward velocity of a section against time, from first contact at time 0.
+
+    Parameters
+    ----------
+    times : from 0, growing [s]; velocities : downwards, above 0 [m/s]. Between them a
+        cubic spline, so that there is an acceleration.
+    """
+
+    times: tuple[float, ...]
+    velocities: tuple[float, ...]
+
+    def __post_init__(self):
+        if len(self.times) != len(self.velocities) or len(self.times) < 2:
+            raise InputError(
+                f"The velocity history needs as many velocities as times, at least 2, got {len(self.velocities)} and "
+                f"{len(self.times)}."
+            )
+        if self.times[0] != 0 or np.any(np.diff(self.times) <= 0):
+            raise InputError("The times of the velocity history must grow from 0, the first contact.")
+        for velocity in self.velocities:
+            _checked_velocity(velocity)
+
+    def motion(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return penetration [m], velocity [m/s] and acceleration [m/s2] at times [s]."""
+        if times[-1] > self.times[-1]:
+            raise InputError(
+                f"Time {times[-1]:g} s lies after the end of the velocity history, {self.times[-1]:g} s."
+            )
+        spline = CubicSpline(self.times, self.velocities)
+        return spline.antiderivative()(times), spline(times), spline.derivative()(times)
+
+
+def entry(
+    section: Section,
+    velocity: float | VelocityHistory,
+    method: str = "logvinovich",
+    density: float = SEAWATER_DENSITY,
+    times: Sequence[float] = (1.0,),
+    panels: Sequence[tuple[float, float]] = (),
+) -> xr.Dataset:
+    """Return force and pressure of a section that enters calm water.
+
+    Parameters
+    ----------
+    section : `Wedge`, `Parabola`, `Circle` or `TableSection`; symmetric and convex.
+    velocity : downwards, constant [m/s], or a history.
+    method : one of `METHODS`.
+    density : of the water [kg/m3].
+    times : after first contact, above 0, growing [s].
+    panels : pairs of half-breadths (inner, outer) [m] to average the pressure over.
+
+    Returns
+    -------
+    Over ``time``: ``penetration``, ``entry_velocity``, ``section_acceleration``,
+    ``wetted_half_breadth``, ``wetted_rate``, ``section_force`` (both sides), ``peak_pressure``,
+    ``peak_coefficient`` k = p_max/(rho V**2/2), ``peak_height``; over ``point`` too
+    ``pressure_position`` and ``section_pressure``; over ``panel`` too ``panel_pressure``. The exact
+    wedge adds ``jet_height``; Chuang's k has no force and no distribution.
+
+    Notes
+    -----
+    Gravity and air are left out. The wetted half-breadth of the exact wedge is that of the
+    peak pressure while the peak is at the spray root, and that of the jet tip
+    where the largest pressure is at the apex.
+    """
+    checked_choice("method", method, METHODS)
+    checked_number("density", density, "kg/m3", above=0)
+    if method == "nonlinear":
+        raise InputError(
+            "The fully non-linear boundary-element method is not in this version; take similarity for a wedge or "
+            "generalised-wagner for another section."
+        )
+    times = _checked_times(times)
+    panels = [_checked_panel(panel) for panel in panels]
+    penetration, speed, acceleration = _motion(velocity, times)
+    _check_range(section, method, velocity)
+    if method == "chuang":
+        instants = [_chuang(section, v) for v in speed]
+    elif method == "generalised-wagner" and not isinstance(section, Wedge):
+        instants = generalised_section.instants(section, penetration, speed, acceleration)
+    else:
+        instants = [
+            _instant(section, method, *motion)
+            for motion in zip(penetration, speed, acceleration, strict=True)
+        ]
+    return _dataset(section, method, density, times, (penetration, speed, acceleration), panels, instants)
+
+
+def _checked_velocity(velocity) -> float:
+    return checked_number(
+        "entry velocity", velocity, "m/s, downwards", above=0, cure="water exit is not in this theory"
+    )
+
+
+def _checked_times(times) -> np.ndarray:
+    found = np.atleast_1d(np.asarray(times, float))
+    for time in found:
+        checked_number("time after first contact", time, "s", above=0)
+    if np.any(np.diff(found) <= 0):
+        raise InputError("The times after first contact must grow.")
+    return found
+
+
+def _checked_panel(panel) -> tuple[float, float]:
+    inner, outer = panel
+    checked_number("inner edge of the panel", inner, "m", at_least=0)
+    checked_number("outer edge of the panel", outer, "m", above=inner)
+    return float(inner), float(outer)
+
+
+def _motion(velocity, times: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    if not isinstance(velocity, VelocityHistory):
+        constant = _checked_velocity(velocity)
+        return constant * times, np.full(len(times), constant), np.zeros(len(times))
+    penetration, speed, acceleration = velocity.motion(times)
+    _checked_velocity(float(speed.min()))
+    return penetration, speed, acceleration
+
+
+def _check_range(section: Section, method: str, velocity) -> None:
+    """Refuse what a theory cannot do at all."""
+    if method in ("similarity", "chuang") and not isinstance(section, Wedge):
+        raise InputError(
+            f"The method {method} is for wedges only, got a {section.kind}; take generalised-wagner or logvinovich."
+        )
+    if method == "similarity" and isinstance(velocity, VelocityHistory):
+        raise InputError("The similarity solution needs a constant velocity; take generalised-wagner.")
+    if method == "logvinovich" and isinstance(section, Wedge):
+        checked_number(
+            "deadrise for the modified Logvinovich model",
+            np.degrees(section.deadrise_angle),
+            "degrees",
+            at_most=STEEPEST_LOGVINOVICH,
+            cure="take the similarity solution",
+        )
+
+
+def _instant(section: Section, method: str, penetration, velocity, acceleration) -> Instant:
+    if method in ("von-karman", "wagner"):
+        return plate.instant(section, penetration, velocity, acceleration, pile_up=method == "wagner")
+    if method == "logvinovich":
+        return logvinovich.instant(section, penetration, velocity, acceleration)
+    if method == "generalised-wagner":
+        return generalised_wagner.instant(section.deadrise_angle, penetration, velocity, acceleration)
+    return similarity_instant(section.deadrise_angle, penetration, velocity)
+
+
+def similarity_instant(deadrise_angle: float, penetration: float, velocity: float) -> Instant:
+    """Return the exact wedge [rad] at a penetration [m] and constant velocity [m/s], on a fine grid."""
+    found = similarity.similarity_solution(deadrise_angle)
+    breadth = np.cos(deadrise_angle) * penetration
+    step = similarity.STEP
+    share = running_integral(len(found.position), step) @ (found.pressure * found.wall_rate)
+    fine = np.linspace(found.wall_coordinate[0], found.wall_coordinate[-1], 10 * len(found.position))
+    position, pressure, integral = (
+        CubicSpline(found.wall_coordinate, values)(fine)[::-1]
+        for values in (found.position, found.pressure, share)
+    )
+    half_force = found.force * penetration * velocity**2 / 2
+    at_root = found.peak_position > 0
+    return Instant(
+        breadth * (found.peak_position if at_root else found.wall_length),
+        np.cos(deadrise_angle) * velocity * (found.peak_position if at_root else found.wall_length),
+        np.concatenate([[0.0], breadth * position, [breadth * found.wall_length]]),
+        np.concatenate([[found.apex_pressure], pressure, [0.0]]) * velocity**2,
+        np.concatenate([[0.0], half_force - breadth * velocity**2 * integral, [half_force]]),
+        2 * half_force,
+        found.peak * velocity**2,
+        breadth * found.peak_position,
+    )
+
+
+def _chuang(section: Wedge, velocity: float) -> Instant:
+    """Chuang's k for the vertical drop of a wedge on calm water: the velocity is normal to the water."""
+    peak = float(chuang.impact_pressure(velocity, section.deadrise_angle, 1.0))
+    nothing = np.empty(0)
+    return Instant(np.nan, np.nan, nothing, nothing, nothing, np.nan, peak, np.nan)
+
+
+def _dataset(section, method, density, times, motion, panels, instants: list[Instant]) -> xr.Dataset:
+    penetration, speed, acceleration = motion
+    peak = np.array([found.peak for found in instants])
+    place = np.array([found.peak_position for found in instants])
+    breadth = np.array([found.half_breadth for found in instants])
+    height = np.full(len(times), np.nan)
+    there = np.isfinite(place)
+    height[there] = section.height(place[there]) - penetration[there]
+    variables = {
+        "penetration": ("time", penetration),
+        "entry_velocity": ("time", speed),
+        "section_acceleration": ("time", acceleration),
+        "wetted_half_breadth": ("time", breadth),
+        "wetted_rate": ("time", [found.rate for found in instants]),
+        "section_force": ("time", [density * found.force for found in instants]),
+        "peak_pressure": ("time", density * peak),
+        "peak_coefficient": ("time", peak / (speed**2 / 2)),
+        "peak_height": ("time", height),
+    }
+    coords: dict = {"time": times}
+    if method != "chuang":
+        rows = [np.round(np.linspace(0, len(found.positions) - 1, POINTS)).astype(int) for found in instants]
+        pairs = list(zip(instants, rows, strict=True))
+        variables["pressure_position"] = (("time", "point"), [found.positions[row] for found, row in pairs])
+        variables["section_pressure"] = (
+            ("time", "point"),
+            [density * found.pressure[row] for found, row in pairs],
+        )
+        coords["point"] = np.arange(POINTS)
+        if panels:
+            averages = [[density * panel_average(found, *panel) for panel in panels] for found in instants]
+            variables["panel_pressure"] = (("time", "panel"), averages)
+            variables["panel_inner"] = ("panel", [inner for inner, _ in panels])
+            variables["panel_outer"] = ("panel", [outer for _, outer in panels])
+            coords["panel"] = np.arange(len(panels))
+    if method == "similarity":
+        found = similarity.similarity_solution(section.deadrise_angle)
+        variables["jet_height"] = (
+            "time",
+            penetration * (found.wall_length * np.sin(section.deadrise_angle) - 1),
+        )
+    return quantities.dataset(
+        coords, method=method, warnings=validity(section, method, breadth, place), **variables
+    )
+
+
+def panel_average(found: Instant, inner: float, outer: float) -> float:
+    """Average of p/rho [m2/s2] over the half-breadths from ``inner`` to ``outer`` [m]; dry water counts as zero."""
+    ends = np.interp([inner, outer], found.positions, found.cumulative)
+    return float((ends[1] - ends[0]) / (outer - inner))
+
+
+def validity(section: Section, method: str, half_breadth: np.ndarray, peak_position) -> tuple[str, ...]:
+    """Sentences on what lies outside the range of the theory."""
+    sentences = []
+    finite = half_breadth[np.isfinite(half_breadth)]
+    if isinstance(section, Wedge):
+        angles = np.degrees([section.deadrise_angle])
+    else:
+        angles = np.degrees(np.arctan(section.slope(np.minimum(finite, section.reach))))
+    if angles.min() < AIR_CUSHION and method != "chuang":
+        sentences.append(
+            f"The section meets the water at {angles.min():.3g} degrees, below {AIR_CUSHION:g}: air is trapped there, "
+            "and the real pressure is lower than any theory without air."
+        )
+    if angles.max() > STEEP.get(method, 90.0):
+        sentences.append(f"{BEYOND[method]}; the section meets the water at {angles.max():.3g} degrees.")
+    if method == "von-karman":
+        sentences.append("Von Karman's theory has no pile-up of water and no finite peak pressure.")
+    if method == "wagner":
+        sentences.append(
+            "The distribution is Wagner's outer pressure, infinite at its edge; the peak is that of his spray root."
+        )
+    if method == "similarity" and np.all(peak_position == 0):
+        sentences.append(
+            "The largest pressure is at the apex; the wetted half-breadth is that of the jet tip."
+        )
+    if method == "chuang":
+        sentences.append(
+            "Chuang's k is a fit to drop tests of three-dimensional bodies and gives neither force nor distribution."
+        )
+    return tuple(sentences)
