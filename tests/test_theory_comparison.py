@@ -52,7 +52,7 @@ def test_amplitudes_and_leads_are_those_of_the_pipeline(ship, both):
 def test_long_waves_are_ridden(ship):
     found = compared(ship, 0.0, np.pi, ("strip",), [0.3], settings=COARSE)
     np.testing.assert_allclose(found.motion_ratio.values.ravel(), 1.0, atol=0.02)
-    np.testing.assert_allclose(found.motion_lead.values.ravel(), [0.0, -np.pi / 2], atol=0.05)
+    np.testing.assert_allclose(found.motion_lead.values.ravel(), [0.0, -np.pi / 2], atol=0.1)
 
 
 def test_running_attitude_changes_the_motions(ship, both):

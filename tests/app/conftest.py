@@ -57,7 +57,7 @@ class Watched:
         )  # fmt: skip
 
     def wait_until_idle(self):
-        assert self.wait(lambda: self.page.locator(".wb-progress").is_hidden(), 30)
+        assert self.wait(lambda: self.page.locator(".wb-progress").is_hidden(), 60)
 
     def kernel_process(self):
         """Number of the process that is the kernel of this page."""

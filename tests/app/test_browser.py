@@ -101,15 +101,50 @@ def test_every_control_has_a_name(new_page):
     assert new_page.page.locator("[role=progressbar][aria-valuenow]").count() == 1
 
 
-def test_method_is_closed_at_first_and_says_what_automatic_means(new_page):
+def test_method_is_closed_at_first_and_says_what_is_recommended(new_page):
     method = new_page.page.locator("details[data-key=method]")
     assert method.get_attribute("open") is None
-    words = {
-        name: method.locator(f"#wb-{name}-note").text_content() for name in ("interaction", "wave_field")
-    }
-    assert "Each hull alone at this speed" in words["interaction"]
-    assert "Incident wave only" in words["wave_field"]
+    assert "high-speed theory" in method.locator("#wb-theory-note").text_content()
+    assert method.locator("#wb-theory option").count() == 4
     assert method.locator("#wb-interaction option").count() == 3
+    assert new_page.wait(lambda: "by high-speed theory" in new_page.page.locator(".wb-task").inner_text())
+
+
+def test_controls_of_the_panel_method_show_where_it_is_chosen(new_page):
+    page = new_page.page
+    page.locator("details[data-key=method] summary").click()
+    hidden = [page.locator(f"[data-name={name}]") for name in ("panels", "tunnel_damping", "wave_field")]
+    assert not any(control.is_visible() for control in hidden)
+    page.locator("#wb-theory").select_option("potential-flow")
+    assert new_page.wait(lambda: all(control.is_visible() for control in hidden))
+    page.locator("#wb-theory").select_option("strip")
+    assert new_page.wait(lambda: not any(control.is_visible() for control in hidden))
+    assert new_page.wait(lambda: "by strip theory" in page.locator(".wb-task").inner_text(), 40)
+    page.locator("#wb-theory").select_option("recommended")
+    assert new_page.wait(lambda: "by high-speed theory" in page.locator(".wb-task").inner_text(), 40)
+    page.locator("details[data-key=method] summary").click()
+
+
+def test_refinement_is_offered_at_rest(open_page):
+    other = open_page("?design=cofea&speed_knots=0")
+    button = other.page.get_by_role("button", name="Refine with the panel method")
+    button.wait_for(state="visible", timeout=60000)
+    assert "by strip theory" in other.page.locator(".wb-task").inner_text()
+    other.page.close()
+
+
+def test_theories_are_compared(new_page):
+    new_page.open_tab("Theories")
+    page = new_page.page
+    button = page.get_by_role("button", name="Compare theories")
+    button.wait_for(state="visible", timeout=20000)
+    assert not page.locator(".wb-figure:has(#wb-figure-theories)").is_visible()
+    button.click()
+    page.wait_for_function(
+        "document.querySelector('.wb-figure:has(#wb-figure-theories) img').naturalWidth > 0", timeout=60000
+    )
+    assert page.locator(".wb-table", has_text="high-speed theory").is_visible()
+    new_page.open_tab("Slamming")
 
 
 def test_animation_plays(new_page):
@@ -144,6 +179,7 @@ def test_each_tab_shows_its_figures(new_page, title):
 )
 def test_files_are_saved(new_page, label, ending, start):
     new_page.open_tab("Data")
+    new_page.wait_until_idle()
     with new_page.page.expect_download(timeout=40000) as download:
         new_page.page.get_by_role("button", name=label).click()
     assert download.value.suggested_filename.endswith(ending)
