@@ -8,7 +8,8 @@ from scipy.integrate import quad
 
 from workbench.conventions import GRAVITY
 from workbench.hydrodynamics import cross_plane
-from workbench.hydrodynamics.cross_plane import Water, panel_integrals, passage, section_weights
+from workbench.hydrodynamics.cross_plane import Water, passage
+from workbench.hydrodynamics.marched_contour import panel_integrals, section_weights
 from workbench.verification.cylinder_march import arc, contour_of
 
 OFF_THE_GRID = 1 / 10.5

@@ -9,8 +9,9 @@ from scipy.integrate import quad
 from workbench import designs
 from workbench.conventions import GRAVITY
 from workbench.errors import InputError
-from workbench.hydrodynamics.cross_plane import Contour, Water, passage
+from workbench.hydrodynamics.cross_plane import Water, passage
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
+from workbench.hydrodynamics.marched_contour import Contour
 from workbench.hydrodynamics.own_wave import own_wave
 
 FAST = 0.75 * np.sqrt(GRAVITY * 3.0)

@@ -7,8 +7,9 @@ from workbench.conventions import GRAVITY, encounter_frequency, wavenumber
 from workbench.design import Hull, MassProperties
 from workbench.geometry.hydrostatics import hydrostatics, stiffness_matrix
 from workbench.hydrodynamics import high_speed_march, incident_wave
-from workbench.hydrodynamics.cross_plane import Contour, Water, passage
+from workbench.hydrodynamics.cross_plane import Water, passage
 from workbench.hydrodynamics.high_speed_settings import tau
+from workbench.hydrodynamics.marched_contour import Contour
 from workbench.hydrodynamics.speed_terms import force_with_speed, with_speed
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.hydrodynamics.strip_theory import hydrodynamics

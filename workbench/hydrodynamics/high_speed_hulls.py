@@ -9,7 +9,7 @@ from workbench.design import Hull
 from workbench.errors import InputError
 from workbench.geometry.lines import is_symmetric
 from workbench.geometry.sections import HullSections, sections
-from workbench.hydrodynamics.cross_plane import Contour
+from workbench.hydrodynamics.marched_contour import Contour
 
 SECTION_STATIONS = 161
 """Stations at which the hull is cut; contours of the march are interpolated between them."""

@@ -17,8 +17,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbench.conventions import GRAVITY, wavenumber
-from workbench.hydrodynamics.cross_plane import Contour, Water, passage
+from workbench.hydrodynamics.cross_plane import Water, passage
 from workbench.hydrodynamics.high_speed_hulls import Problem, Stations
+from workbench.hydrodynamics.marched_contour import Contour
 
 SWAY, HEAVE, ROLL, PITCH, YAW = range(5)
 MODES_OF_PARITY = {1: (HEAVE, PITCH), -1: (SWAY, ROLL, YAW), 0: (SWAY, HEAVE, ROLL, PITCH, YAW)}

@@ -15,10 +15,11 @@ from workbench.conventions import GRAVITY
 from workbench.design import Hull, MassProperties
 from workbench.errors import checked_number
 from workbench.geometry.hydrostatics import longitudinal_stiffness_about, stiffness_matrix
-from workbench.hydrodynamics.cross_plane import Contour, Water, passage
+from workbench.hydrodynamics.cross_plane import Water, passage
 from workbench.hydrodynamics.high_speed_forces import ends, lengthwise
 from workbench.hydrodynamics.high_speed_hulls import Problem, Stations, all_together, hull_alone, stationed
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings, check_speed
+from workbench.hydrodynamics.marched_contour import Contour
 
 LEAST_FROUDE_NUMBER = 0.5
 """Below this the waves that run with the ship are too large a part of her own wave [-]."""

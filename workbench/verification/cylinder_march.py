@@ -11,9 +11,9 @@ from functools import cache
 import numpy as np
 
 from workbench.conventions import GRAVITY, encounter_frequency
-from workbench.hydrodynamics.cross_plane import Contour
 from workbench.hydrodynamics.high_speed_hulls import Problem, Stations
 from workbench.hydrodynamics.high_speed_march import Waves, sectional
+from workbench.hydrodynamics.marched_contour import Contour
 
 SPEED, TIME_STEP = 1.0, 0.06
 """Of the march [m/s, s]; the cylinders have a radius of 1 m."""

@@ -14,8 +14,9 @@ import numpy as np
 from workbench.conventions import GRAVITY
 from workbench.design import Hull
 from workbench.hydrodynamics import high_speed, strip_theory
-from workbench.hydrodynamics.cross_plane import Water, passage, section_weights
+from workbench.hydrodynamics.cross_plane import Water, passage
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
+from workbench.hydrodynamics.marched_contour import section_weights
 from workbench.hydrodynamics.section_contours import section_wave_forces
 from workbench.shapes import Wigley
 from workbench.verification import delft, published
