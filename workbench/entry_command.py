@@ -127,7 +127,7 @@ def entry(
     """Print peak pressure and force of a section that enters calm water."""
     shape = section_of(section, deadrise_degrees, radius)
     checked_number(
-        "entry velocity", velocity, "m/s, downwards", above=0, cure="water exit is not in these theories"
+        "downward entry velocity", velocity, "m/s", above=0, cure="water exit is not in these theories"
     )
     if penetration is not None:
         checked_number("penetration", penetration, "m", above=0)

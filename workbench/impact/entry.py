@@ -11,6 +11,7 @@ from workbench import quantities
 from workbench.conventions import SEAWATER_DENSITY
 from workbench.errors import InputError, checked_choice, checked_number
 from workbench.impact import chuang, generalised_section, generalised_wagner, logvinovich, plate, similarity
+from workbench.impact.entry_range import check_range, validity
 from workbench.impact.plate import Instant
 from workbench.impact.quadrature import running_integral
 from workbench.impact.section import Section, Wedge
@@ -26,21 +27,6 @@ METHODS = (
 )
 POINTS = 201
 """Number of pressure points per instant in a result."""
-
-AIR_CUSHION = 3.0
-STEEP = {"wagner": 30.0, "generalised-wagner": 45.0, "logvinovich": 45.0, "von-karman": 45.0}
-"""Deadrise beyond which a theory is far from the exact wedge [degrees]."""
-
-STEEPEST_LOGVINOVICH = 70.0
-"""Deadrise beyond which the modified Logvinovich model has no positive pressure worth the name [degrees]."""
-
-BEYOND = {
-    "wagner": "Wagner's theory holds for small deadrise; above 30 degrees its force is more than 60 % too high",
-    "generalised-wagner": "The generalised Wagner model gives 11 % too much force at 45 degrees and more above",
-    "logvinovich": "The modified Logvinovich model gives 22 % too much force and 60 % too much peak pressure at 45 "
-    "degrees, and more above",
-    "von-karman": "Von Karman's theory holds for small deadrise",
-}
 
 
 @dataclass(frozen=True)
@@ -120,7 +106,7 @@ def entry(
     times = _checked_times(times)
     panels = [_checked_panel(panel) for panel in panels]
     penetration, speed, acceleration = _motion(velocity, times)
-    _check_range(section, method, velocity)
+    check_range(section, method, constant=not isinstance(velocity, VelocityHistory))
     if method == "chuang":
         instants = [_chuang(section, v) for v in speed]
     elif method == "generalised-wagner" and not isinstance(section, Wedge):
@@ -135,7 +121,7 @@ def entry(
 
 def _checked_velocity(velocity) -> float:
     return checked_number(
-        "entry velocity", velocity, "m/s, downwards", above=0, cure="water exit is not in this theory"
+        "downward entry velocity", velocity, "m/s", above=0, cure="water exit is not in these theories"
     )
 
 
@@ -162,24 +148,6 @@ def _motion(velocity, times: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nda
     penetration, speed, acceleration = velocity.motion(times)
     _checked_velocity(float(speed.min()))
     return penetration, speed, acceleration
-
-
-def _check_range(section: Section, method: str, velocity) -> None:
-    """Refuse what a theory cannot do at all."""
-    if method in ("similarity", "chuang") and not isinstance(section, Wedge):
-        raise InputError(
-            f"The method {method} is for wedges only, got a {section.kind}; take generalised-wagner or logvinovich."
-        )
-    if method == "similarity" and isinstance(velocity, VelocityHistory):
-        raise InputError("The similarity solution needs a constant velocity; take generalised-wagner.")
-    if method == "logvinovich" and isinstance(section, Wedge):
-        checked_number(
-            "deadrise for the modified Logvinovich model",
-            np.degrees(section.deadrise_angle),
-            "degrees",
-            at_most=STEEPEST_LOGVINOVICH,
-            cure="take the similarity solution",
-        )
 
 
 def _instant(section: Section, method: str, penetration, velocity, acceleration) -> Instant:
@@ -274,35 +242,3 @@ def panel_average(found: Instant, inner: float, outer: float) -> float:
     """Average of p/rho [m2/s2] over the half-breadths from ``inner`` to ``outer`` [m]; dry water counts as zero."""
     ends = np.interp([inner, outer], found.positions, found.cumulative)
     return float((ends[1] - ends[0]) / (outer - inner))
-
-
-def validity(section: Section, method: str, half_breadth: np.ndarray, peak_position) -> tuple[str, ...]:
-    """Sentences on what lies outside the range of the theory."""
-    sentences = []
-    finite = half_breadth[np.isfinite(half_breadth)]
-    if isinstance(section, Wedge):
-        angles = np.degrees([section.deadrise_angle])
-    else:
-        angles = np.degrees(np.arctan(section.slope(np.minimum(finite, section.reach))))
-    if angles.min() < AIR_CUSHION and method != "chuang":
-        sentences.append(
-            f"The section meets the water at {angles.min():.3g} degrees, below {AIR_CUSHION:g}: air is trapped there, "
-            "and the real pressure is lower than any theory without air."
-        )
-    if angles.max() > STEEP.get(method, 90.0):
-        sentences.append(f"{BEYOND[method]}; the section meets the water at {angles.max():.3g} degrees.")
-    if method == "von-karman":
-        sentences.append("Von Karman's theory has no pile-up of water and no finite peak pressure.")
-    if method == "wagner":
-        sentences.append(
-            "The distribution is Wagner's outer pressure, infinite at its edge; the peak is that of his spray root."
-        )
-    if method == "similarity" and np.all(peak_position == 0):
-        sentences.append(
-            "The largest pressure is at the apex; the wetted half-breadth is that of the jet tip."
-        )
-    if method == "chuang":
-        sentences.append(
-            "Chuang's k is a fit to drop tests of three-dimensional bodies and gives neither force nor distribution."
-        )
-    return tuple(sentences)

@@ -22,9 +22,7 @@ class Wedge:
 
     def __post_init__(self):
         cure = "a flat bottom is given as a table of points" if self.deadrise_angle == 0 else ""
-        checked_number(
-            "deadrise", np.degrees(_number(self.deadrise_angle)), "degrees", above=0, below=90, cure=cure
-        )
+        checked_number("deadrise", np.degrees(self.deadrise_angle), "degrees", above=0, below=90, cure=cure)
 
     kind = "wedge"
     reach = np.inf
@@ -224,7 +222,3 @@ def contact_rate(section: Section, half_breadth: float, velocity: float, pile_up
     """Speed of the contact points outwards [m/s] at the half-breadth [m] and velocity [m/s]."""
     slope = section.mean_slope(half_breadth) if pile_up else float(section.slope(half_breadth))
     return velocity / slope if slope > 0 else np.inf
-
-
-def _number(value) -> float:
-    return checked_number("deadrise angle", value, "rad")
