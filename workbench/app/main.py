@@ -25,7 +25,7 @@ from workbench.app.panels.motions import MotionsPanel
 from workbench.app.panels.pressure import PressurePanel
 from workbench.app.panels.slamming import SlammingPanel
 from workbench.app.panels.theories import TheoriesPanel
-from workbench.app.progress_words import may_refine, origin_of, state_of
+from workbench.app.progress_words import is_awaited, may_refine, origin_of, state_of
 from workbench.app.running_inputs import RUNNING_DEFAULTS
 from workbench.app.ship_inputs import inputs_of
 from workbench.conventions import KNOT
@@ -48,7 +48,7 @@ class Page:
 
     def __init__(self) -> None:
         self._lock = threading.RLock()
-        self._offers_refinement = False
+        self._offers_refinement = self._awaits_refinement = False
         self.model = Model()
         self.head = Head(self._head_said, version=__version__)
         self.form = Form(
@@ -195,6 +195,7 @@ class Page:
                 head.verdict = self.model.verdict()
             wanted = self.model.quiet_case()
             head.origin = origin_of(self.model.findings, wanted) if self.desk.is_current else ""
+            self._awaits_refinement = is_awaited(self.model.findings, wanted)
             self._offers_refinement = self.desk.is_current and may_refine(self.model.findings, wanted)
             if not self.desk.is_current:
                 head.tone = "old"
@@ -216,6 +217,8 @@ class Page:
         with self._lock, head.hold_sync():
             head.busy, head.progress, head.task = work.busy, work.progress, work.task
             idle = not work.busy and not work.action
+            if idle and self._awaits_refinement:
+                head.busy, head.task = True, "Refining with the panel method …"
             head.action = "refine" if idle and self._offers_refinement else work.action
 
 

@@ -69,3 +69,8 @@ def may_refine(found: Findings | None, wanted: Case | None) -> bool:
         found is not None and wanted is not None and wanted.refinement is not None
         and not found.case.is_refined and not wanted.is_refined
     )  # fmt: skip
+
+
+def is_awaited(found: Findings | None, wanted: Case | None) -> bool:
+    """Whether the panel method was asked for and has not answered yet."""
+    return found is not None and wanted is not None and wanted.is_refined and not found.case.is_refined
