@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import xarray as xr
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
 from workbench import quantities
 from workbench.conventions import SEAWATER_DENSITY
@@ -171,6 +171,8 @@ def similarity_instant(deadrise_angle: float, penetration: float, velocity: floa
         CubicSpline(found.wall_coordinate, values)(fine)[::-1]
         for values in (found.position, found.pressure, share)
     )
+    apart = position > 1e-12 * found.wall_length  # nearer the apex, differences are rounding
+    position, pressure, integral = position[apart], pressure[apart], integral[apart]
     half_force = found.force * penetration * velocity**2 / 2
     at_root = found.peak_position > 0
     return Instant(
@@ -240,5 +242,7 @@ def _dataset(section, method, density, times, motion, panels, instants: list[Ins
 
 def panel_average(found: Instant, inner: float, outer: float) -> float:
     """Average of p/rho [m2/s2] over the half-breadths from ``inner`` to ``outer`` [m]; dry water counts as zero."""
-    ends = np.interp([inner, outer], found.positions, found.cumulative)
+    places, first = np.unique(found.positions, return_index=True)
+    running = CubicHermiteSpline(places, found.cumulative[first], found.pressure[first])
+    ends = running(np.minimum([inner, outer], places[-1]))
     return float((ends[1] - ends[0]) / (outer - inner))

@@ -170,13 +170,11 @@ def _instant(slope, c: float, rate: float, velocity: float, acceleration: float)
     def potential(found: _Map) -> np.ndarray:
         return -(found.scale * found.w - found.drop)
 
-    along = (1 / here.growth - np.sin(here.angle)) / np.cos(here.angle)
-    by_breadth = (potential(more) - potential(less) - along * (more.y - less.y)) / (2 * STEP * c)
-    values = (
-        -acceleration * potential(here)
-        - velocity * rate * by_breadth
-        + velocity**2 / 2 * (1 - 1 / here.growth**2)
-    )
+    speed, shift = 1 / here.growth, more.y - less.y
+    speed[-1], shift[-1] = 0.0, 0.0  # the last node stands for the stagnation point on the centreline
+    along = (speed - np.sin(here.angle)) / np.cos(here.angle)
+    by_breadth = (potential(more) - potential(less) - along * shift) / (2 * STEP * c)
+    values = -acceleration * potential(here) - velocity * rate * by_breadth + velocity**2 / 2 * (1 - speed**2)
     peak, place = largest(SIDE, values)
     positive = np.maximum(values, 0.0)[::-1]
     y = np.clip(here.y[::-1], 0.0, None)

@@ -66,8 +66,10 @@ def wedge_flow(deadrise_angle: float) -> WedgeFlow:
     position = 1 - np.cos(deadrise_angle) * along
     potential = -(scale * w - np.sin(deadrise_angle) * along)
     derivative = (1 / growth - np.sin(deadrise_angle)) / np.cos(deadrise_angle)
+    speed = 1 / growth
+    position[-1], speed[-1] = 0.0, 0.0
     return WedgeFlow(
-        float(spread), v, position, np.cos(deadrise_angle) * inside, potential, derivative, 1 / growth
+        float(spread), v, position, np.cos(deadrise_angle) * inside, potential, derivative, speed
     )
 
 

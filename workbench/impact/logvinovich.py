@@ -6,6 +6,7 @@
 
 import numpy as np
 from scipy.integrate import cumulative_simpson
+from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
 from workbench.impact.plate import EDGE, NODES, Instant
@@ -56,11 +57,12 @@ def instant(section: Section, penetration: float, velocity: float, acceleration:
 
 
 def largest(x: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-    """Return the maximum of smooth values and its place, by a parabola through the largest and its neighbours."""
+    """Return the maximum of smooth values and its place, by a spline through the neighbours of the largest."""
     i = int(values.argmax())
-    if i in (0, len(x) - 1):
+    near = slice(max(i - 4, 0), i + 5)
+    if i in (0, len(x) - 1) or len(x[near]) < 5:
         return float(values[i]), float(x[i])
-    left, middle, right = values[i - 1 : i + 2]
-    bend = left - 2 * middle + right
-    shift = (left - right) / (2 * bend) if bend else 0.0
-    return float(middle - (left - right) * shift / 4), float(x[i] + shift * (x[i + 1] - x[i]))
+    spline = CubicSpline(x[near], values[near])
+    places = np.append(spline.derivative().roots(extrapolate=False), x[i])
+    best = int(spline(places).argmax())
+    return float(spline(places[best])), float(places[best])

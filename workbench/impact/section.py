@@ -21,8 +21,9 @@ class Wedge:
     deadrise_angle: float
 
     def __post_init__(self):
-        cure = "a flat bottom is given as a table of points" if self.deadrise_angle == 0 else ""
-        checked_number("deadrise", np.degrees(self.deadrise_angle), "degrees", above=0, below=90, cure=cure)
+        angle = checked_number("deadrise angle of the wedge", self.deadrise_angle, "rad")
+        cure = "a flat bottom is given as a table of points" if angle == 0 else ""
+        checked_number("deadrise", np.degrees(angle), "degrees", above=0, below=90, cure=cure)
 
     kind = "wedge"
     reach = np.inf

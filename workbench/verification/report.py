@@ -9,6 +9,7 @@ from workbench.verification import (
     counting_cases,
     delft_cases,
     encounter_cases,
+    entry_cases,
     feature_table,
     high_speed_cases,
     impact_cases,
@@ -26,6 +27,7 @@ from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 
 GROUPS = {
     "impact pressure": impact_cases,
+    "water entry of sections": entry_cases,
     "seas and statistics": sea_cases,
     "counting": counting_cases,
     "encounter, sea areas and limits": encounter_cases,
