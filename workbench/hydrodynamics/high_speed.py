@@ -108,9 +108,8 @@ def solution(
     stations = stationed(hull, _station_count(settings, hull.length, speed, nodes[-1]), settings.panels)
     with_field = settings.wave_field == "total" and hull.count > 1
     field_x, field_y = tunnel_grid(hull, FIELD_POINTS) if with_field else (np.zeros(0), np.zeros(0))
-    with threadpool_limits(
-        1, user_api="blas"
-    ):  # small matrices: threads gain nothing, and wait for each other
+    # small matrices: threads gain nothing, and wait for each other on a busy machine
+    with threadpool_limits(1, user_api="blas"):
         potentials = _potentials(hull, stations, settings, speed, nodes, waves, field_y)
     family_ends = [
         ends(stations, stations.hulls[numbers[0]], speed, settings.transom == "released")
