@@ -137,7 +137,9 @@ def test_small_waves_give_the_froude_krylov_force(any_ship):
         waves = components_from(float(oblique.omega[index]), 1.0, 0.0, float(oblique.wave_direction), 0.0)
         own = HullInWaves(surface, centre, waves, design.density).wave_force_amplitudes()[0]
         size = np.abs(known[:, 2:5]).max(axis=0)
-        np.testing.assert_allclose(own[2:5] / size, known[index, 2:5] / size, atol=0.02)
+        # the high-speed theory lets the pressure fall ahead of a dry transom, the wet hull here does not
+        tolerance = 0.03 if "stiffness_correction" in coefficients else 0.02
+        np.testing.assert_allclose(own[2:5] / size, known[index, 2:5] / size, atol=tolerance)
 
 
 def test_hull_pushed_down_and_heeled_is_the_hull_afloat_there():
