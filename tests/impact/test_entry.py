@@ -1,6 +1,7 @@
 """The theories behind the one interface: reference values, identities, averages, and what is refused."""
 
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -107,7 +108,10 @@ def test_generalised_wagner_of_any_section():
     """The map of any section gives the closed one of the wedge; of a flat parabola, Wagner's wetting and force."""
     beta = np.radians(25)
     table = TableSection(tuple((y, y * np.tan(beta)) for y in (0.0, 0.7, 3.0)))
-    found, known = (entry(section, 2.0, "generalised-wagner", 1.0, [0.3]) for section in (table, Wedge(beta)))
+    speeding = VelocityHistory((0.0, 0.1, 0.2, 0.3), (2.0, 2.5, 3.0, 3.5))
+    found, known = (
+        entry(section, speeding, "generalised-wagner", 1.0, [0.3]) for section in (table, Wedge(beta))
+    )
     for name in ("wetted_half_breadth", "wetted_rate", "section_force", "peak_pressure"):
         assert float(found[name][0]) == pytest.approx(float(known[name][0]), rel=1e-4)
     shallow = entry(Parabola(1.0), 1.0, "generalised-wagner", 1.0, [1e-5]).isel(time=0)
@@ -135,6 +139,20 @@ def test_averages_over_the_whole_are_the_force_and_parts_add_up(method):
     assert panel[0] * 8 * 2 == pytest.approx(float(found["section_force"]), rel=1e-3)
     assert panel[1] + 0.5 * panel[2] + 6.5 * panel[3] == pytest.approx(8 * panel[0], rel=1e-12)
     assert panel[4] == pytest.approx(0, abs=1e-6 * panel[0])
+
+
+@pytest.mark.parametrize("method", ["generalised-wagner", "logvinovich", "similarity"])
+def test_averages_are_those_of_the_distribution(method):
+    """Trapezoidal rule over the pressure points inside each panel."""
+    edges = np.array([0.0, 0.4, 1.3, 2.0])
+    found = wedge(25, method, panels=list(pairwise(edges)))
+    y, pressure = (found[name].to_numpy() for name in ("pressure_position", "section_pressure"))
+    fine = np.linspace(0, 2, 4001)
+    running = np.append(
+        0, np.cumsum((np.interp(fine, y, pressure)[1:] + np.interp(fine, y, pressure)[:-1]) / 2)
+    )
+    known = np.diff(np.interp(edges, fine, running) * fine[1]) / np.diff(edges)
+    assert found["panel_pressure"].to_numpy() == pytest.approx(known, rel=2e-3)
 
 
 def test_average_of_wagners_outer_pressure_in_closed_form():

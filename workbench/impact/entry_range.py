@@ -3,7 +3,7 @@
 import numpy as np
 
 from workbench.errors import InputError, checked_number
-from workbench.impact.section import Section, Wedge
+from workbench.impact.section import Section, TableSection, Wedge
 
 AIR_CUSHION = 3.0
 """Deadrise below which air is trapped [degrees]."""
@@ -79,6 +79,10 @@ def validity(section: Section, method: str, half_breadth: np.ndarray, peak_posit
     if method == "wagner":
         sentences.append(
             "The distribution is Wagner's outer pressure, infinite at its edge; the peak is that of his spray root."
+        )
+    if method == "generalised-wagner" and isinstance(section, TableSection) and len(section.points) > 2:
+        sentences.append(
+            "The corners of the table are rounded over a quarter of the shorter piece beside each."
         )
     if method == "similarity" and np.all(peak_position == 0):
         sentences.append(

@@ -8,6 +8,7 @@ angles follow from the section at the mapped nodes; a few rounds settle it.
     sections with and without flow separation", 21st Symposium on Naval Hydrodynamics, 1996.
 """
 
+from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple
 
@@ -30,6 +31,7 @@ LEVEL = np.arange(-22.0, 22.05, 0.1)
 CELLS = 80
 ROUNDS, SETTLED = 60, 1e-11
 STEP = 1e-3
+ROUNDING = 0.25
 
 
 class _Map(NamedTuple):
@@ -56,13 +58,34 @@ def _logarithms() -> tuple[np.ndarray, np.ndarray]:
     return side, np.log(np.exp(2 * LEVEL)[:, None] + w_vertex[None, :] ** 2)
 
 
-def _slopes(section: Section):
-    """Slope of the section over y; of a table, linear between the middles of its pieces."""
+class _Side(NamedTuple):
+    """Slope and height over y of the side that is mapped, and the half-breadth that is wet at once."""
+
+    slope: Callable
+    height: Callable
+    flat: float
+
+
+def _side(section: Section) -> _Side:
+    """Return the side of a section; the corners of a table are rounded over a quarter of the shorter piece beside."""
     if not isinstance(section, TableSection):
-        return section.slope
+        return _Side(section.slope, section.height, 0.0)
     y, z = np.array(section.points).T
-    slopes = np.diff(z) / np.diff(y)
-    return lambda at: np.interp(at, (y[1:] + y[:-1]) / 2, slopes)
+    slopes, pieces = np.diff(z) / np.diff(y), np.diff(y)
+    first, steps, places = slopes[0], np.diff(slopes), y[1:-1]
+    half = ROUNDING * np.minimum(pieces[:-1], pieces[1:])
+
+    def from_corner(at):
+        return np.asarray(at, float)[..., None] - places + half
+
+    def slope(at):
+        return first + np.clip(from_corner(at) / (2 * half), 0, 1) @ steps
+
+    def height(at):
+        past = np.clip(from_corner(at), 0, None)
+        return first * np.asarray(at) + np.where(past < 2 * half, past**2 / (4 * half), past - half) @ steps
+
+    return _Side(slope, height, float(places[0] - half[0]) if first == 0 else 0.0)
 
 
 def _map(slope, c: float, angle: np.ndarray) -> _Map:
@@ -101,20 +124,20 @@ def _risen(found: _Map, ratio: np.ndarray) -> np.ndarray:
         return np.interp(np.log(ratio - 1), found.log_level, found.reached, left=0.0)
 
 
-def _wetting(section: Section, slope, start: float, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Penetration at the edges of equal cells of wetted half-breadth from ``start`` to ``end`` [m].
+def _wetting(side: _Side, end: float) -> tuple[np.ndarray, np.ndarray]:
+    """Penetration at the edges of equal cells of wetted half-breadth up to ``end`` [m].
 
     Water on the level of the edge rises past the section with V_rel(y/c, c); it meets the side
     at y = c: f(y) = integral of V_rel/V (dh/dc) dc, solved cell by cell for dh/dc.
     """
-    edges = np.linspace(start, end, CELLS + 1)
+    edges = np.linspace(side.flat, end, CELLS + 1)
     angle = np.zeros(len(SIDE))
     penetration = np.zeros(CELLS + 1)
     risen = np.zeros(CELLS + 1)
-    height = section.height(edges)
+    height = side.height(edges)
     for cell in range(CELLS):
         middle = (edges[cell] + edges[cell + 1]) / 2
-        found = _map(slope, middle, angle)
+        found = _map(side.slope, middle, angle)
         angle = found.angle
         later = edges[cell + 1 :]
         whole = found.reached[-1] if edges[cell] == 0 else _risen(found, later / max(edges[cell], 1e-300))
@@ -140,15 +163,12 @@ def instants(
     phi = -h' (C w - (f(c) - f)) on the side; Bernoulli's equation at a fixed point of the body
     with the derivative by c taken between two maps. The negative part at the edge is left out.
     """
-    slope = _slopes(section)
-    start = 0.0
-    if isinstance(section, TableSection) and section.points[0][1] == section.points[1][1]:
-        start = float(section.points[1][0])
+    side = _side(section)
     deepest = float(penetration[-1])
     end = section.reach
     if section.mean_height(end) > deepest if np.isfinite(end) else True:
         end = contact_half_breadth(section, deepest, pile_up=True)
-    edges, depths = _wetting(section, slope, start, end)
+    edges, depths = _wetting(side, end)
     if depths[-1] < deepest:
         raise InputError(
             f"The water reaches the end of the section before the penetration of {deepest:g} m; give a smaller one "
@@ -159,7 +179,7 @@ def instants(
     found = []
     for h, v, a in zip(penetration, velocity, acceleration, strict=True):
         c = float(brentq(lambda at, h=h: depth(at) - h, edges[0], edges[-1], xtol=1e-14 * end))
-        found.append(_instant(slope, c, v / float(rate(c)), v, a))
+        found.append(_instant(side.slope, c, v / float(rate(c)), v, a))
     return found
 
 
