@@ -5,15 +5,23 @@ object and nothing else on standard output. A refused input is one sentence on
 standard error and exit code 2.
 """
 
-import json
 import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 import typer
 
-from workbench import __version__, designs, record_commands, simulate_command, tables, tool_commands
+from workbench import (
+    __version__,
+    design_commands,
+    designs,
+    entry_command,
+    record_commands,
+    simulate_command,
+    tables,
+    tool_commands,
+)
 from workbench.command_inputs import (
     DesignArgument,
     FroudeOption,
@@ -43,6 +51,7 @@ from workbench.command_inputs import (
     theory_of,
     wave_direction_of,
 )
+from workbench.design_commands import print_json, print_warnings
 from workbench.errors import InputError
 
 application = typer.Typer(
@@ -63,15 +72,6 @@ def main() -> None:
         raise SystemExit(2) from None
 
 
-def _print_json(values: dict[str, Any]) -> None:
-    print(json.dumps(values, allow_nan=False))
-
-
-def _print_warnings(sentences: list[str]) -> None:
-    for sentence in sentences:
-        print(f"warning: {sentence}", file=sys.stderr)
-
-
 @application.callback(invoke_without_command=True)
 def version_option(
     version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
@@ -80,29 +80,6 @@ def version_option(
     if version:
         print(__version__)
         raise typer.Exit
-
-
-@application.command("designs")
-def list_designs(as_json: JsonOption = False) -> None:
-    """List the designs of the library."""
-    listed = [{"name": name, "title": designs.named_design(name).title} for name in designs.names()]
-    if as_json:
-        _print_json({"designs": listed})
-    else:
-        width = max(len(entry["name"]) for entry in listed)
-        for entry in listed:
-            print(f"{entry['name']:<{width}}  {entry['title']}")
-
-
-@application.command()
-def show(design: DesignArgument, as_json: JsonOption = False) -> None:
-    """Print particulars, hydrostatics and provenance of a design."""
-    values = tables.particulars(designs.design(design))
-    if as_json:
-        _print_json(values)
-    else:
-        print(tables.particulars_text(values))
-        _print_warnings(values["warnings"])
 
 
 @application.command()
@@ -144,10 +121,10 @@ def rao(
     )
     values = tables.motion_table(ship, descending=ratios_rise)
     if as_json:
-        _print_json(values)
+        print_json(values)
     else:
         print(tables.motion_text(values))
-        _print_warnings(values["warnings"])
+        print_warnings(values["warnings"])
 
 
 @application.command()
@@ -241,10 +218,10 @@ def slam(
     _, counts = pipeline.counted_slams(ship, relative, found, realisation)
     values = tables.slamming_table(ship, found, counts, realisation)
     if as_json:
-        _print_json(values)
+        print_json(values)
     else:
         print(tables.slamming_text(values))
-        _print_warnings(values["warnings"])
+        print_warnings(values["warnings"])
 
 
 @application.command()
@@ -289,9 +266,11 @@ def run(
     print(index)
 
 
+application.command("designs")(design_commands.list_designs)
+application.command("show")(design_commands.show)
 application.command("simulate")(simulate_command.simulate)
 application.command("records")(record_commands.records)
-for command in tool_commands.COMMANDS:
+for command in (*tool_commands.COMMANDS, *entry_command.COMMANDS):
     application.command(command.__name__.removeprefix("open_"))(command)
 
 

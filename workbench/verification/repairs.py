@@ -78,7 +78,7 @@ REPAIRS: tuple[Repair, ...] = (
         "normals said to point into the fluid, forces printed for the other way; here into the fluid, signs with it",
         f"{_HYDRO}.section_waves:froude_krylov_density; {_HYDRO}.sections:sectional_matrix",
         f"{_DERIVED}speed_does_not_enter_the_froude_krylov_force",
-        "tests/hydrodynamics/test_sections.py::test_froude_krylov_force_of_a_long_wave_is_the_change_of_buoyancy",
+        "tests/hydrodynamics/test_oscillating_sections.py::test_froude_krylov_force_of_a_long_wave_is_the_change_of_buoyancy",
     ),
     _choice(
         "A1.65 A1.71 A1.74 A1.86",
@@ -104,7 +104,7 @@ REPAIRS: tuple[Repair, ...] = (
         "phase across by k y sin(beta), printed cos(beta); the sign goes with i N_3 - N_2 sin(beta)",
         f"{_HYDRO}.section_waves:orbital_decay; {_HYDRO}.section_waves:haskind_density",
         f"{_DERIVED}the_phase_across_goes_with_the_sine_of_the_heading",
-        "tests/hydrodynamics/test_sections.py::test_haskind_forces_are_those_of_the_diffraction_problem",
+        "tests/hydrodynamics/test_oscillating_sections.py::test_haskind_forces_are_those_of_the_diffraction_problem",
     ),
     _choice(
         "A1.100",
