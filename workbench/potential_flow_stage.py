@@ -15,11 +15,11 @@ from workbench.hydrodynamics import forward_speed, potential_flow
 from workbench.hydrodynamics.coefficients import coefficient_set
 from workbench.hydrodynamics.forward_speed import RadiatingBody
 from workbench.hydrodynamics.gap_resonance import gap_resonance
+from workbench.hydrodynamics.incident_wave import folded
 from workbench.hydrodynamics.settings import PotentialFlowSettings, validity_warnings
 from workbench.radiation_store import (
     STAGE_VERSION,
     encounter_nodes,
-    folded,
     radiation_tasks,
     usual_field_directions,
     wave_frequencies,
@@ -52,7 +52,8 @@ def hydrodynamics(
     usual = omega is None
     omega = wave_frequencies(hull.length, highest) if usual else np.asarray(omega, float)
     directions = np.asarray(wave_directions, float)
-    _check_frequencies(omega, highest, settings.panels)
+    check_frequencies(omega)
+    _check_resolved(omega, highest, settings.panels)
     potential_flow.refuse_overtaken_waves(omega, directions, speed)
     notes = list(validity_warnings(settings, hull.count, speed, hull.length))
     met = encounter_frequency(omega[:, None], speed, directions)
@@ -135,14 +136,18 @@ def _field_at(solved: xr.Dataset, omega: np.ndarray, directions: np.ndarray, sid
     return field.assign_coords(wave_direction=directions)
 
 
-def _check_frequencies(omega: np.ndarray, highest: float, count: int) -> None:
-    """Refuse frequencies that are no frequencies, or whose waves the panels cannot carry."""
+def check_frequencies(omega: np.ndarray) -> None:
+    """Refuse frequencies that are no frequencies."""
     if omega.ndim != 1 or omega.size == 0 or not np.all(np.isfinite(omega)) or np.any(omega <= 0):
         raise InputError(
             "omega must be one or more finite wave frequencies > 0 rad/s; check the range asked for."
         )
     if np.any(np.diff(omega) <= 0):
         raise InputError("omega must be increasing; sort the frequencies and leave out doubles.")
+
+
+def _check_resolved(omega: np.ndarray, highest: float, count: int) -> None:
+    """Refuse frequencies whose waves the panels cannot carry."""
     if omega.max() > highest * (1 + 1e-9):
         raise InputError(
             f"omega must be <= {highest:.3g} rad/s for {count} panels (a wave must be eight panel radii long), got "

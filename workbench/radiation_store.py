@@ -13,10 +13,13 @@ from workbench.design import Hull
 from workbench.geometry.lines import hull_shape
 from workbench.geometry.panels import Panels, hull_panels, hull_positions, lid_panels, panels, tunnel_lid
 from workbench.hydrodynamics import potential_flow
+from workbench.hydrodynamics.incident_wave import folded
 from workbench.hydrodynamics.radiation import RadiationProblem, radiation
 from workbench.hydrodynamics.settings import PotentialFlowSettings
 
 STAGE_VERSION = 1
+USUAL_DIRECTIONS = tuple(np.radians(np.arange(0, 360, 15)).tolist())
+"""Wave directions all round by 15 degrees [rad]."""
 FREQUENCIES = 48
 LONGEST_WAVE, SHORTEST_WAVE = 100.0, 1 / 8
 """Longest and shortest wave of the usual frequencies, in ship lengths [-]."""
@@ -29,7 +32,7 @@ _MEMO_SIZE = 12
 
 def usual_directions(length: float, speed: float) -> np.ndarray:
     """Wave directions 0 to 345 degrees by 15 [rad], less those in which the ship overtakes some of the waves."""
-    directions = np.radians(np.arange(0, 360, 15))
+    directions = np.array(USUAL_DIRECTIONS)
     highest = np.sqrt(2 * np.pi * GRAVITY / (SHORTEST_WAVE * length))
     allowed = encounter_frequency(highest, speed, directions) > 0.02 * highest
     return directions[allowed]
@@ -47,11 +50,6 @@ def encounter_nodes(omega: np.ndarray, highest: float) -> np.ndarray:
     step = omega[-1] - omega[-2]
     more = np.arange(omega[-1] + step, highest, step)
     return np.concatenate([omega, more])
-
-
-def folded(directions: np.ndarray) -> np.ndarray:
-    """Directions of a ship that is alike on both sides, mirrored into 0 to pi [rad]."""
-    return np.round(np.abs(np.angle(np.exp(1j * directions))), 12)
 
 
 @dataclass(frozen=True)

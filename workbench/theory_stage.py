@@ -7,18 +7,15 @@ import numpy as np
 import xarray as xr
 
 from workbench import potential_flow_stage, quantities
-from workbench.conventions import GRAVITY, MODES, encounter_frequency
+from workbench.conventions import MODES
 from workbench.design import Hull
-from workbench.errors import InputError
 from workbench.hydrodynamics import high_speed, strip_theory
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
 from workbench.hydrodynamics.recommended import RecommendedSettings, TheorySettings, reason, recommended
 from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.hydrodynamics.strip_wave_field import wave_field
-from workbench.radiation_store import SHORTEST_WAVE, usual_directions, wave_frequencies
-
-USUAL_DIRECTIONS = tuple(np.radians(np.arange(0, 360, 15)).tolist())
+from workbench.radiation_store import USUAL_DIRECTIONS, usual_directions, wave_frequencies
 
 Found = tuple[xr.Dataset, xr.Dataset | None]
 
@@ -27,10 +24,6 @@ def directions_for(settings: TheorySettings, length: float, speed: float) -> np.
     """Usual wave directions of a theory [rad]: all round by 15 degrees, where it allows them."""
     if isinstance(settings, StripSettings | RecommendedSettings):
         return np.array(USUAL_DIRECTIONS)
-    if isinstance(settings, HighSpeedSettings):
-        highest = np.sqrt(2 * np.pi * GRAVITY / (SHORTEST_WAVE * length))
-        met = encounter_frequency(highest, speed, np.array(USUAL_DIRECTIONS))
-        return np.array(USUAL_DIRECTIONS)[met > 0.02 * highest]
     return usual_directions(length, speed)
 
 
@@ -62,7 +55,7 @@ def hydrodynamics(
             hull, density, speed, wave_directions, omega, settings, workers=workers, progress=progress
         )
     frequencies = wave_frequencies(hull.length) if omega is None else np.asarray(omega, float)
-    _check_frequencies(frequencies)
+    potential_flow_stage.check_frequencies(frequencies)
     progress(0.1, "Marching along the hulls")
     found = _by_sections(
         hull, density, float(speed), tuple(map(float, wave_directions)), tuple(frequencies.tolist()), settings
@@ -89,16 +82,6 @@ def _by_sections(
     return found, wave_field(hull, omega, directions, speed, settings)
 
 
-def _check_frequencies(omega: np.ndarray) -> None:
-    """Refuse frequencies that are no frequencies."""
-    if omega.ndim != 1 or omega.size == 0 or not np.all(np.isfinite(omega)) or np.any(omega <= 0):
-        raise InputError(
-            "omega must be one or more finite wave frequencies > 0 rad/s; check the range asked for."
-        )
-    if np.any(np.diff(omega) <= 0):
-        raise InputError("omega must be increasing; sort the frequencies and leave out doubles.")
-
-
 def _recommended(
     hull: Hull,
     density: float,
@@ -112,7 +95,7 @@ def _recommended(
     """Return each heading by the theory that is recommended for it, all in one Dataset."""
     directions = np.asarray(wave_directions, float)
     wanted = wave_frequencies(hull.length) if omega is None else np.asarray(omega, float)
-    _check_frequencies(wanted)
+    potential_flow_stage.check_frequencies(wanted)
     chosen = np.array(recommended(hull.length, speed, directions, wanted, settings.quick))
     methods = list(dict.fromkeys(chosen.tolist()))
     parts, field = [], None

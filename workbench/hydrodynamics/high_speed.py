@@ -14,7 +14,6 @@ from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
-from scipy.interpolate import CubicSpline
 from threadpoolctl import threadpool_limits
 
 from workbench import __version__, quantities
@@ -34,7 +33,9 @@ from workbench.hydrodynamics.high_speed_forces import (
 from workbench.hydrodynamics.high_speed_hulls import Stations, all_together, hull_alone, stationed
 from workbench.hydrodynamics.high_speed_march import Sectional, Waves, sectional
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings, check_speed, tau, validity_warnings
+from workbench.hydrodynamics.incident_wave import folded
 from workbench.hydrodynamics.potential_flow import refuse_overtaken_waves
+from workbench.hydrodynamics.strip_forces import between_nodes
 from workbench.hydrodynamics.strip_wave_field import tunnel_grid
 from workbench.hydrodynamics.wave_fields import elevation_set
 
@@ -117,7 +118,7 @@ def solution(
     ]
     radiation, diffraction = forces(potentials, stations, family_ends, speed, density, nodes, waves)
     incident = froude_krylov(stations, family_ends, density, waves)
-    radiation = _at_encounter(nodes, radiation, waves.encounter)
+    radiation = between_nodes(nodes, radiation, waves.encounter)
     shape = (len(omega), len(sides))
     mirror = np.where(np.sin(directions) < -1e-9, -1.0, 1.0) if is_symmetric(hull) else None
     radiation = np.conj(radiation).reshape(*shape, 6, 6)[:, where]  # to exp(-i omega t)
@@ -163,13 +164,6 @@ def solution(
     )
 
 
-def _at_encounter(nodes: np.ndarray, values: np.ndarray, encounter: np.ndarray) -> np.ndarray:
-    """Return values (nodes, ...) at the encounter frequencies of waves: as they are, or by a spline."""
-    if np.array_equal(nodes, np.unique(encounter)):
-        return values[np.searchsorted(nodes, encounter)]
-    return CubicSpline(nodes, values, axis=0)(encounter)
-
-
 def _on_grid(
     stations: Stations, potentials: Sectional, field_x: np.ndarray, nodes: np.ndarray, waves: Waves
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -183,7 +177,7 @@ def _on_grid(
         return (1 - weight) * values[before] + weight * values[before + 1]
 
     radiated = np.moveaxis(at(potentials.radiated_elevation), (3, 2), (0, 1))
-    return _at_encounter(nodes, radiated, waves.encounter), np.moveaxis(
+    return between_nodes(nodes, radiated, waves.encounter), np.moveaxis(
         at(potentials.diffracted_elevation), -1, 0
     )
 
@@ -192,8 +186,7 @@ def _sides(hull: Hull, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the directions to compute and, for each wanted one, which of them: mirrored ones are computed once."""
     if not is_symmetric(hull):
         return directions, np.arange(len(directions))
-    folded = np.round(np.abs(np.angle(np.exp(1j * directions))), 12)
-    return np.unique(folded, return_inverse=True)
+    return np.unique(folded(directions), return_inverse=True)
 
 
 def _turned(force: np.ndarray, mirror: np.ndarray | None) -> np.ndarray:

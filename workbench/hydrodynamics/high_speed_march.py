@@ -20,18 +20,10 @@ from workbench.conventions import GRAVITY, wavenumber
 from workbench.hydrodynamics.cross_plane import Water, passage
 from workbench.hydrodynamics.high_speed_hulls import Problem, Stations
 from workbench.hydrodynamics.marched_contour import Contour
+from workbench.hydrodynamics.section_waves import Waves
 
 SWAY, HEAVE, ROLL, PITCH, YAW = range(5)
 MODES_OF_PARITY = {1: (HEAVE, PITCH), -1: (SWAY, ROLL, YAW), 0: (SWAY, HEAVE, ROLL, PITCH, YAW)}
-
-
-@dataclass(frozen=True, eq=False)
-class Waves:
-    """Regular waves met by the ship, flat arrays: frequency [rad/s], direction [rad], encounter frequency [rad/s]."""
-
-    omega: np.ndarray
-    direction: np.ndarray
-    encounter: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)

@@ -30,3 +30,8 @@ def incident_normal_velocity(
     beta = np.asarray(wave_direction)[..., None]
     across = 1j * (normals[:, 0] * np.cos(beta) + normals[:, 1] * np.sin(beta)) + normals[:, 2]
     return k * incident_potential(centres, omega, wave_direction) * across
+
+
+def folded(directions: np.ndarray) -> np.ndarray:
+    """Directions of a ship that is alike on both sides, mirrored into 0 to pi [rad]."""
+    return np.round(np.abs(np.angle(np.exp(1j * directions))), 12)
