@@ -32,9 +32,13 @@ from workbench.command_inputs import (
     LockOption,
     MethodOption,
     PanelsOption,
+    PeakEnhancementOption,
     RunningSinkageOption,
     RunningTrimOption,
+    SpectrumFileOption,
+    SpectrumOption,
     SpeedOption,
+    SpreadingOption,
     TreatmentOption,
     TunnelOption,
     WaveFieldOption,
@@ -45,8 +49,8 @@ from workbench.command_inputs import (
     number_or_word,
     progress_line,
     running_state_of,
+    sea_state_of,
     settings_of,
-    spectrum_table_of,
     speed_of,
     theory_of,
     wave_direction_of,
@@ -136,16 +140,10 @@ def slam(
     method: MethodOption = "recommended",
     hs: Annotated[float, typer.Option("--hs", help="Significant wave height [m].")] = 2.0,
     tp: Annotated[float | None, typer.Option("--tp", help="Peak period [s].")] = None,
-    spectrum: Annotated[
-        str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")
-    ] = "bretschneider",
-    peak_enhancement: Annotated[float, typer.Option(help="gamma of jonswap.")] = 3.3,
-    spectrum_file: Annotated[
-        Path | None, typer.Option(help="Measured spectrum: lines of omega, ordinate; scaled to --hs.")
-    ] = None,
-    spreading: Annotated[
-        float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")
-    ] = None,
+    spectrum: SpectrumOption = "bretschneider",
+    peak_enhancement: PeakEnhancementOption = 3.3,
+    spectrum_file: SpectrumFileOption = None,
+    spreading: SpreadingOption = None,
     speed_knots: SpeedOption = None,
     froude: FroudeOption = None,
     heading_degrees: HeadingOption = 180.0,
@@ -176,21 +174,14 @@ def slam(
     """Wet-deck slamming in an irregular sea: closed form over the deck, and counted."""
     from workbench import pipeline, sea_energy
     from workbench.impact.pressure import PressureLaw
-    from workbench.seas import Condition, SeaState
+    from workbench.seas import Condition
     from workbench.time_domain import Realisation
 
     chosen = designs.with_clearance(heeled_design(designs.design(design), heel_degrees), clearance)
     condition = Condition(
         speed=speed_of(chosen, speed_knots, froude),
         wave_direction=wave_direction_of(heading_degrees),
-        sea_state=SeaState(
-            significant_wave_height=hs,
-            peak_period=tp,
-            spectrum="user" if spectrum_file else spectrum,
-            peak_enhancement=peak_enhancement,
-            table=spectrum_table_of(spectrum_file),
-            spreading_exponent=spreading,
-        ),
+        sea_state=sea_state_of(hs, tp, spectrum, peak_enhancement, spectrum_file, spreading),
     )
     realisation = Realisation(seed=seed, hours=hours)
     panel_settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)

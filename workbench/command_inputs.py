@@ -19,6 +19,7 @@ from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.running_state import RunningState
 from workbench.sailing import flies, sailing_design
 from workbench.sails import TrueWind
+from workbench.seas import SeaState
 
 DesignArgument = Annotated[str, typer.Argument(metavar="DESIGN", help="A library name or a TOML file.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
@@ -45,6 +46,14 @@ WindOption = Annotated[
 ]
 LockOption = Annotated[
     str, typer.Option("--lock", help="Modes held at zero, such as roll or surge,sway,yaw.")
+]
+SpectrumOption = Annotated[str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")]
+PeakEnhancementOption = Annotated[float, typer.Option(help="gamma of jonswap.")]
+SpectrumFileOption = Annotated[
+    Path | None, typer.Option(help="Measured spectrum: lines of omega, ordinate; scaled to --hs.")
+]
+SpreadingOption = Annotated[
+    float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")
 ]
 WaveFieldOption = Annotated[
     str,
@@ -208,6 +217,25 @@ def deck_points_of(text: str) -> tuple[int, int]:
     if len(parts) != 2 or not all(part.isdigit() and 1 <= int(part) <= 400 for part in parts):
         raise InputError(f"deck-points must be two whole numbers from 1 to 400 such as 40x10, got {text!r}.")
     return int(parts[0]), int(parts[1])
+
+
+def sea_state_of(
+    significant_wave_height: float | None,
+    peak_period: float | None,
+    spectrum: str,
+    peak_enhancement: float,
+    spectrum_file: Path | None,
+    spreading: float | None,
+) -> SeaState:
+    """Sea of the options; a measured spectrum takes the place of the named one."""
+    return SeaState(
+        significant_wave_height=significant_wave_height,
+        peak_period=peak_period,
+        spectrum="user" if spectrum_file else spectrum,
+        peak_enhancement=peak_enhancement,
+        table=spectrum_table_of(spectrum_file),
+        spreading_exponent=spreading,
+    )
 
 
 def spectrum_table_of(path: Path | None) -> tuple[tuple[float, float], ...]:

@@ -17,22 +17,26 @@ from workbench.command_inputs import (
     JsonOption,
     MethodOption,
     PanelsOption,
+    PeakEnhancementOption,
     RunningSinkageOption,
     RunningTrimOption,
+    SpectrumFileOption,
+    SpectrumOption,
     SpeedOption,
+    SpreadingOption,
     TreatmentOption,
     TunnelOption,
     progress_line,
     running_state_of,
+    sea_state_of,
     settings_of,
-    spectrum_table_of,
     speed_of,
     theory_of,
     wave_direction_of,
 )
 from workbench.errors import InputError
 from workbench.hydrodynamics.high_speed_settings import HighSpeedSettings
-from workbench.seas import Condition, SeaState
+from workbench.seas import Condition
 from workbench.simulation_stage import RADIATION_DIRECTIONS, one_theory, simulated_regular_wave, simulated_sea
 from workbench.time_domain import Realisation
 
@@ -59,16 +63,10 @@ def simulate(
     heading_degrees: HeadingOption = 180.0,
     hs: Annotated[float | None, typer.Option("--hs", help="Significant wave height [m].")] = None,
     tp: Annotated[float | None, typer.Option("--tp", help="Peak period [s].")] = None,
-    spectrum: Annotated[
-        str, typer.Option(help="bretschneider, jonswap or pierson-moskowitz.")
-    ] = "bretschneider",
-    peak_enhancement: Annotated[float, typer.Option(help="gamma of jonswap.")] = 3.3,
-    spectrum_file: Annotated[
-        Path | None, typer.Option(help="Measured spectrum: lines of omega, ordinate; scaled to --hs.")
-    ] = None,
-    spreading: Annotated[
-        float | None, typer.Option(help="n of cos**n spreading; long-crested if left out.")
-    ] = None,
+    spectrum: SpectrumOption = "bretschneider",
+    peak_enhancement: PeakEnhancementOption = 3.3,
+    spectrum_file: SpectrumFileOption = None,
+    spreading: SpreadingOption = None,
     regular_wave_amplitude: Annotated[
         float | None, typer.Option(help="Amplitude of a regular wave [m], instead of a sea.")
     ] = None,
@@ -116,14 +114,7 @@ def simulate(
         )
     directions = [direction]
     if not regular:
-        sea = SeaState(
-            significant_wave_height=hs,
-            peak_period=tp,
-            spectrum="user" if spectrum_file else spectrum,
-            peak_enhancement=peak_enhancement,
-            table=spectrum_table_of(spectrum_file),
-            spreading_exponent=spreading,
-        )
+        sea = sea_state_of(hs, tp, spectrum, peak_enhancement, spectrum_file, spreading)
         condition = Condition(speed=speed, wave_direction=direction, sea_state=sea)
         directions = sea_energy.directions_for(condition)
     settings = one_theory(theory, chosen.hull.length, speed, directions)
