@@ -241,8 +241,12 @@ TABLE: dict[str, Quantity] = {
     "slam_wetted_area": Quantity("m2", "largest wetted area of the slam", "$A_{max}$"),
     "slam_root_pressure": Quantity("Pa", "largest pressure of the slam at a jet root", r"$p_{max}$"),
     "slam_is_whole": Quantity("1", "whether the slam begins and ends within the record", ""),
-    "slam_panel_pressure": Quantity("Pa", "largest pressure of the slam averaged over the panel", r"$\bar p_{max}$"),
-    "slam_block_pressure": Quantity("Pa", "largest pressure of the slam averaged over a block", r"$\bar p_{max}$"),
+    "slam_panel_pressure": Quantity(
+        "Pa", "largest pressure of the slam averaged over the panel", r"$\bar p_{max}$"
+    ),
+    "slam_block_pressure": Quantity(
+        "Pa", "largest pressure of the slam averaged over a block", r"$\bar p_{max}$"
+    ),
     "block_area": Quantity("m2", "area of the block of panels", "$A$"),
     "block_pressure": Quantity("Pa", "largest pressure averaged over a block of panels", r"$\bar p_{max}$"),
     # drawing

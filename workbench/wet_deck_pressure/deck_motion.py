@@ -1,4 +1,4 @@
-"""Water against the deck in time: rise, closing velocity and acceleration at its points, from a spectrum or from records."""
+"""Water against the deck in time: rise, closing velocity and acceleration, from a spectrum or from records."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from workbench.time_domain import record_blocks
 from workbench.wet_deck_pressure.strip_profiles import slope_operator
 
 FRAMES = ("material", "time-derivative")
-"""Velocity that the impact is computed from: against the water particle, or that of the closing gap at the moving point."""
+"""Velocity that the impact is computed from: against the water particle, or that of the closing gap."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,13 +72,14 @@ def motion_of_amplitudes(
 
     Parameters
     ----------
-    relative_amplitudes, slope_amplitudes : (component, x, y) of relative motion [m] and of its slope along the ship [-].
+    relative_amplitudes, slope_amplitudes : (component, x, y) of relative motion [m] and of its slope along
+        the ship [-].
     frequency : encounter frequencies of the components [rad/s].
     x, y : of the grid [m].
     duration, time_step, start : [s].
     speed : of the ship [m/s].
-    frame : "material" takes what a two-dimensional theory needs, the velocity against the water particle D r with
-        D = d/dt - U d/dx; "time-derivative" that of the gap at the moving point.
+    frame : "material" takes what a two-dimensional theory needs, the velocity against the water particle D r
+        with D = d/dt - U d/dx; "time-derivative" that of the gap at the moving point.
 
     Notes
     -----
@@ -95,13 +96,22 @@ def motion_of_amplitudes(
     together = np.stack([relative_amplitudes, velocity, acceleration], axis=1)
     together = together * np.exp(-1j * frequency * start)[:, None, None, None]
     shape = together.shape[1:]
-    parts = [block.T for _, block in record_blocks(together.reshape(len(frequency), -1), frequency, duration, time_step)]
+    parts = [
+        block.T
+        for _, block in record_blocks(together.reshape(len(frequency), -1), frequency, duration, time_step)
+    ]
     series = np.concatenate(parts).reshape(-1, *shape)
     return DeckMotion(x, y, time_step, series[:, 0], series[:, 1], series[:, 2], float(u), start)
 
 
 def motion_of_records(
-    rise: np.ndarray, x: np.ndarray, y: np.ndarray, time_step: float, *, speed: float = 0.0, frame: str = "material"
+    rise: np.ndarray,
+    x: np.ndarray,
+    y: np.ndarray,
+    time_step: float,
+    *,
+    speed: float = 0.0,
+    frame: str = "material",
 ) -> DeckMotion:
     """Deck motion from records of relative motion (time, x, y) [m], of a simulation or a model test.
 
@@ -123,7 +133,9 @@ def motion_of_records(
             f"got {' x '.join(map(str, rise.shape))}."
         )
     if not np.all(np.isfinite(rise)):
-        raise InputError("The record of relative motion has gaps or values that are no numbers; fill or cut them first.")
+        raise InputError(
+            "The record of relative motion has gaps or values that are no numbers; fill or cut them first."
+        )
     u = speed if frame == "material" else 0.0
     along = slope_operator(x)
 

@@ -20,6 +20,7 @@ SUBSTEPS = 5
 """Steps of the pressure in one step of the record."""
 
 _INSTANTS_AT_ONCE = 1500
+_COUNTED = "unsettled_intervals", "jet_roots", "jet_roots_below_3_degrees"
 
 
 def history(
@@ -40,8 +41,9 @@ def history(
     Returns
     -------
     Dataset over (time, x, y): ``deck_pressure``, mean over panel and step; over time ``deck_force``, upwards,
-    ``deck_pitch_moment`` about the origin (bow up positive, as a force forward lifts the bow), ``deck_force_x``,
-    ``deck_force_y``, ``wetted_area``, ``root_pressure``. The times are the middles of the steps.
+    ``deck_pitch_moment`` about the origin (bow up positive, as a force forward lifts the bow),
+    ``deck_force_x``, ``deck_force_y``, ``wetted_area``, ``root_pressure``. The times are the middles of the
+    steps.
 
     Notes
     -----
@@ -50,19 +52,18 @@ def history(
     step = settings.time_step or motion.time_step / SUBSTEPS
     _check_within(motion, start, end)
     count = max(1, int(np.ceil((end - start) / step - 1e-9)))
-    times = np.linspace(start, end, count + 1)
+    times, step = np.linspace(start, end, count + 1, retstep=True)
     parts = [
         pressure_steps(motion, strips, times[i : i + _INSTANTS_AT_ONCE + 1], density, settings)
         for i in range(0, count, _INSTANTS_AT_ONCE)
     ]
     pressure = strips.on_grid(np.concatenate([part.pressure for part in parts]))
     force, moment, at_x, at_y = _resultant(pressure, motion, strips)
-    unsettled = sum(part.unsettled for part in parts)
     return quantities.dataset(
         {"time": (times[1:] + times[:-1]) / 2, "x": motion.x, "y": motion.y},
         method=METHOD,
-        attrs=_attributes(settings, strips, density, step),
-        warnings=_notes(unsettled, settings),
+        attrs=_attributes(settings, strips, density, step, _counts(parts)),
+        warnings=_notes(_counts(parts)),
         deck_pressure=(("time", "x", "y"), pressure),
         deck_force=("time", force),
         deck_pitch_moment=("time", moment),
@@ -91,15 +92,16 @@ def slams_of_record(
 
     Returns
     -------
-    Dataset; over slam: ``slam_start``, ``slam_duration``, ``slam_force`` largest upward, ``slam_impulse`` of the upward force,
-    ``slam_force_x``, ``slam_force_y`` at the largest force, ``slam_pressure`` largest of a panel, ``slam_x``, ``slam_y`` where,
-    ``slam_wetted_area``, ``slam_is_whole``; over (slam, x, y) ``slam_panel_pressure``; over (x, y)
-    ``pressure_envelope``; over block ``block_area``, ``block_pressure``; over time ``deck_force``, mean over the record's steps.
+    Dataset; over slam: ``slam_start``, ``slam_duration``, ``slam_force`` largest upward, ``slam_impulse`` of
+    the upward force, ``slam_force_x``, ``slam_force_y`` at the largest force, ``slam_pressure`` largest of a
+    panel, ``slam_x``, ``slam_y`` where, ``slam_wetted_area``, ``slam_is_whole``; over (slam, x, y)
+    ``slam_panel_pressure``; over (x, y) ``pressure_envelope``; over block ``block_area``,
+    ``block_pressure``; over time ``deck_force``, mean over the record's steps.
 
     Notes
     -----
-    A slam that the record cuts at its beginning or end is in the envelope, and is marked. One hour on 400 panels with
-    several hundred slams takes about 10 s on two cores.
+    A slam that the record cuts at its beginning or end is in the envelope, and is marked. One hour on 400
+    panels with several hundred slams takes about 10 s on two cores.
     """
     step = settings.time_step or motion.time_step / SUBSTEPS
     substeps = max(1, round(motion.time_step / step))
@@ -117,6 +119,36 @@ def slams_of_record(
             tally.add(*batch, steps)
             progress(done / len(batches), "pressure over the deck")
     return tally.dataset(settings, density)
+
+
+def joined(parts: list[xr.Dataset]) -> xr.Dataset:
+    """Join the results of stretches of one record that follow each other, as `slams_of_record` gives them."""
+    if len(parts) == 1:
+        return parts[0]
+    over = {"slam": "slam", "deck_force": "time"}
+    variables = {}
+    for name, first in parts[0].data_vars.items():
+        dim = over.get(str(name), "slam" if "slam" in first.dims else "")
+        values = [part[name].values for part in parts]
+        if dim:
+            variables[name] = (first.dims, np.concatenate(values, axis=first.dims.index(dim)))
+        else:
+            variables[name] = (first.dims, np.maximum.reduce(values))
+    count = sum(part.sizes["slam"] for part in parts)
+    return quantities.dataset(
+        {
+            "slam": np.arange(count),
+            "x": parts[0].x,
+            "y": parts[0].y,
+            "time": np.concatenate([part.time.values for part in parts]),
+            "block": parts[0].block,
+        },
+        method=parts[0].attrs["method"],
+        attrs=parts[0].attrs
+        | {name: sum(part.attrs[name] for part in parts) for name in ("duration", *_COUNTED)},
+        warnings=_notes(np.sum([[part.attrs[name] for name in _COUNTED] for part in parts], axis=0)),
+        **variables,
+    )
 
 
 def _check_within(motion: DeckMotion, start: float, end: float) -> None:
@@ -150,10 +182,17 @@ def _resultant(pressure: np.ndarray, motion: DeckMotion, strips: DeckStrips):
     across = np.einsum("txy,y->t", load, motion.y)
     with np.errstate(divide="ignore", invalid="ignore"):
         inside = np.abs(force) > 1e-9 * np.abs(load).sum(axis=(1, 2)) + 1e-300
-        return force, moment, np.where(inside, moment / force, np.nan), np.where(inside, across / force, np.nan)
+        return (
+            force,
+            moment,
+            np.where(inside, moment / force, np.nan),
+            np.where(inside, across / force, np.nan),
+        )
 
 
-def _attributes(settings: DeckPressureSettings, strips: DeckStrips, density: float, step: float) -> dict:
+def _attributes(
+    settings: DeckPressureSettings, strips: DeckStrips, density: float, step: float, counts
+) -> dict:
     return {
         "strips": strips.direction,
         "frame": settings.frame,
@@ -163,15 +202,26 @@ def _attributes(settings: DeckPressureSettings, strips: DeckStrips, density: flo
         "time_step": float(step),
         "panel_length": float(strips.edges[1] - strips.edges[0]),
         "strip_width": float(strips.width),
+        **dict(zip(_COUNTED, (int(count) for count in counts), strict=True)),
     }
 
 
-def _notes(unsettled: int, settings: DeckPressureSettings) -> tuple[str, ...]:
+def _counts(parts: list[Steps]) -> np.ndarray:
+    """Intervals without solution, advancing jet roots, and those at less than 3 degrees."""
+    return np.array([(part.unsettled, part.roots, part.fast_roots) for part in parts]).sum(axis=0)
+
+
+def _notes(counts: np.ndarray) -> tuple[str, ...]:
+    unsettled, roots, fast = counts
     found = []
     if unsettled:
         found.append(
-            f"In {unsettled} instants Wagner's condition was not met; the deck was taken wet where undisturbed water "
-            "reaches it."
+            f"{unsettled} wetted intervals had no solution of Wagner's condition and were taken from undisturbed water."
+        )
+    if fast > 0.01 * roots:
+        found.append(
+            f"{100 * fast / roots:.0f} % of the jet roots meet the deck at less than 3 degrees: air is trapped there, "
+            "and the real pressure is lower than that of a theory without air."
         )
     return tuple(found)
 
@@ -186,9 +236,13 @@ class _Tally:
         self.panel = np.zeros((count, *shape), np.float32)
         self.blocks = np.zeros((count, len(sizes)))
         self.largest = {name: np.zeros(count) for name in ("force", "area", "root")}
-        self.impulse, self.force_x, self.force_y = np.zeros(count), np.full(count, np.nan), np.full(count, np.nan)
-        self.history = np.zeros(len(motion.rise))
-        self.unsettled = 0
+        self.impulse, self.force_x, self.force_y = (
+            np.zeros(count),
+            np.full(count, np.nan),
+            np.full(count, np.nan),
+        )
+        self.history = np.zeros(max(len(motion.rise) - 1, 0))
+        self.counts = np.zeros(3, int)
 
     def add(self, places: np.ndarray, slam: np.ndarray, steps: Steps) -> None:
         """Take in a batch of steps."""
@@ -204,8 +258,12 @@ class _Tally:
         step = self.motion.time_step / self.substeps
         np.add.at(self.impulse, slam, np.maximum(force, 0.0) * step)
         sample = np.floor(places[:-1][kept] + 1e-9).astype(int)
-        np.add.at(self.history, sample, force / self.substeps)
-        for name, values in (("force", force), ("area", steps.wetted_area[kept]), ("root", steps.root_pressure[kept])):
+        np.add.at(self.history, np.minimum(sample, len(self.history) - 1), force / self.substeps)
+        for name, values in (
+            ("force", force),
+            ("area", steps.wetted_area[kept]),
+            ("root", steps.root_pressure[kept]),
+        ):
             before = self.largest[name][own]
             top = np.maximum.reduceat(values, first)
             if name == "force":
@@ -215,18 +273,17 @@ class _Tally:
                         place = first[index] + int(np.argmax(force[first[index] : end]))
                         self.force_x[number], self.force_y[number] = at_x[place], at_y[place]
             self.largest[name][own] = np.maximum(before, top)
-        self.unsettled += steps.unsettled
+        self.counts += _counts([steps])
 
     def dataset(self, settings: DeckPressureSettings, density: float) -> xr.Dataset:
         """Return the results."""
         motion, stretches = self.motion, self.stretches
         count = len(stretches.is_whole)
         start, end = np.zeros(count), np.zeros(count)
-        order = np.arange(len(stretches.slam))
-        np.maximum.at(end, stretches.slam, stretches.last[order])
+        np.maximum.at(end, stretches.slam, stretches.last)
         start[stretches.slam[::-1]] = stretches.first[::-1]
-        flat = self.panel.reshape(count, -1)
-        place = np.unravel_index(flat.argmax(axis=1), self.panel.shape[1:]) if count else (np.zeros(0, int),) * 2
+        flat = self.panel.reshape(count, len(motion.x) * len(motion.y))
+        place = np.unravel_index(flat.argmax(axis=1), self.panel.shape[1:])
         area = self.strips.panel_area
         envelope = self.panel.max(axis=0, initial=0.0)
         return quantities.dataset(
@@ -238,9 +295,9 @@ class _Tally:
                 "block": np.arange(len(self.sizes)),
             },
             method=METHOD,
-            attrs=_attributes(settings, self.strips, density, motion.time_step / self.substeps)
+            attrs=_attributes(settings, self.strips, density, motion.time_step / self.substeps, self.counts)
             | {"duration": float(motion.duration)},
-            warnings=_notes(self.unsettled, settings),
+            warnings=_notes(self.counts),
             slam_start=("slam", motion.start + motion.time_step * start),
             slam_duration=("slam", motion.time_step * (end - start)),
             slam_force=("slam", self.largest["force"]),

@@ -26,7 +26,10 @@ def largest_averages(pressure: np.ndarray, sizes: list[tuple[int, int]]) -> np.n
     found = np.empty((len(pressure), len(sizes)))
     for index, (along, across) in enumerate(sizes):
         block = (
-            total[:, along:, across:] - total[:, :-along, across:] - total[:, along:, :-across] + total[:, :-along, :-across]
+            total[:, along:, across:]
+            - total[:, :-along, across:]
+            - total[:, along:, :-across]
+            + total[:, :-along, :-across]
         )
         found[:, index] = block.max(axis=(1, 2), initial=-np.inf) / (along * across)
     return found

@@ -24,8 +24,8 @@ class DeckPressureSettings:
     direction : of the strips, "lengthwise", "across" or "auto" (across for decks with a pod or centre bow).
     frame : "material" (closing velocity of deck and water particle) or "time-derivative" (of the gap).
     suction : largest suction that the deck bears before air gets under it [Pa]; 0 lets air in at once.
-    reduction : for the finite width of the deck, "none" (the hulls beside it keep the flow in its plane) or "pabst" (the added
-        mass of a rectangular plate in open water, [Pabst1930]_).
+    reduction : for the finite width of the deck, "none" (the hulls beside it keep the flow in its plane) or
+        "pabst" (the added mass of a rectangular plate in open water, [Pabst1930]_).
     time_step : over which pressures are averaged [s]; None takes a fifth of the record's.
     gap : dry time up to which two contacts are one slam [s]; None takes a quarter of the peak period.
     """

@@ -1,8 +1,9 @@
 """Pressure of panels over time steps: what the water gives them from one instant to the next.
 
-While the wetted intervals spread, the mean pressure of a step is the growth of the panels' potential impulse over the
-step, whatever happens in between: the impulse is exact for any step, also where water meets a flat deck at once.
-Where an end recedes, its singular term must not count, and the mean is that of the pressures at both instants.
+While the wetted intervals spread, the mean pressure of a step is the growth of the panels' potential impulse
+over the step, whatever happens in between: the impulse is exact for any step, also where water meets a flat
+deck at once. Where an end recedes, its singular term must not count, and the mean is that of the pressures
+at both instants.
 """
 
 from typing import NamedTuple
@@ -11,24 +12,28 @@ import numpy as np
 
 from workbench.conventions import GRAVITY
 from workbench.wet_deck_pressure.deck_motion import DeckMotion
+from workbench.wet_deck_pressure.settings import DeckPressureSettings
 from workbench.wet_deck_pressure.strip_flow import panel_flow
 from workbench.wet_deck_pressure.strip_profiles import StripProfiles, slope_operator
 from workbench.wet_deck_pressure.strips import DeckStrips
-from workbench.wet_deck_pressure.settings import DeckPressureSettings
 from workbench.wet_deck_pressure.wetted_interval import WettedIntervals, wetted_intervals
 
 
 class Steps(NamedTuple):
     """Mean values over the steps between instants (t - 1).
 
-    ``pressure`` (t - 1, strip, panel) mean over each panel, with buoyancy [Pa]; ``wetted_area`` [m2]; ``root_pressure`` largest
-    pressure at a jet root [Pa]; ``unsettled``: number of intervals for which Wagner's condition was not met.
+    ``pressure`` (t - 1, strip, panel) mean over each panel, with buoyancy [Pa]; ``wetted_area`` [m2];
+    ``root_pressure`` largest pressure at a jet root [Pa]; ``unsettled``: number of intervals for which
+    Wagner's condition was not met; ``roots``, ``fast_roots``: advancing jet roots, and those that meet the
+    deck at less than 3 degrees.
     """
 
     pressure: np.ndarray
     wetted_area: np.ndarray
     root_pressure: np.ndarray
     unsettled: int
+    roots: int
+    fast_roots: int
 
 
 def pressure_steps(
@@ -39,7 +44,8 @@ def pressure_steps(
     Parameters
     ----------
     motion : water against the deck; strips : of the deck.
-    times : within the record [s], growing; a step back or of no length stands between two stretches and gives nothing.
+    times : within the record [s], growing; a step back or of no length stands between two stretches and
+        gives nothing.
     density : of the water [kg/m3]; settings : suction and reduction are used.
 
     Notes
@@ -61,7 +67,9 @@ def pressure_steps(
         full[chosen] = values
         return full.reshape(count, shape[0], *values.shape[1:])
 
-    impulse, pressure, drift = (spread_out(v) for v in (flow.potential_impulse, flow.pressure, flow.drift + flow.edges))
+    impulse, pressure, drift = (
+        spread_out(v) for v in (flow.potential_impulse, flow.pressure, flow.drift + flow.edges)
+    )
     spreading, is_wet = spread_out(flow.is_spreading, True), in_water.reshape(count, -1)
     if settings.reduction == "pabst":
         share = spread_out(_finite_width(profiles, intervals, strips), 1.0)[..., None]
@@ -74,13 +82,20 @@ def pressure_steps(
     panel_length = float(strips.edges[1] - strips.edges[0])
     depth = np.maximum(fields[0] - strips.lowest, 0.0) * is_wet[..., None]
     total = density * (mean / panel_length + GRAVITY * (depth[1:] + depth[:-1]) / 2)
-    total = np.maximum(total, -settings.suction)
+    total = np.maximum(total, 0.0 - settings.suction) + 0.0  # no negative zeros
 
     area = np.zeros(len(chosen))
     np.add.at(area, intervals.row, intervals.fore - intervals.aft)
     area = strips.width * spread_out(area).sum(axis=1)
-    root = density * spread_out(flow.edge_pressure).max(axis=1, initial=0.0)
-    return Steps(total, (area[1:] + area[:-1]) / 2, np.maximum(root[1:], root[:-1]), int(np.sum(~intervals.settled)))
+    root = density * spread_out(flow.root_pressure).max(axis=1, initial=0.0)
+    return Steps(
+        total,
+        (area[1:] + area[:-1]) / 2,
+        np.maximum(root[1:], root[:-1]),
+        int(np.sum(~intervals.settled)),
+        flow.roots,
+        flow.fast_roots,
+    )
 
 
 def _finite_width(profiles: StripProfiles, intervals: WettedIntervals, strips: DeckStrips) -> np.ndarray:
@@ -93,7 +108,9 @@ def _finite_width(profiles: StripProfiles, intervals: WettedIntervals, strips: D
     return share * short / length
 
 
-def _profiles(motion: DeckMotion, strips: DeckStrips, fields: list[np.ndarray], chosen: np.ndarray) -> StripProfiles:
+def _profiles(
+    motion: DeckMotion, strips: DeckStrips, fields: list[np.ndarray], chosen: np.ndarray
+) -> StripProfiles:
     """Profiles of the chosen rows (instant and strip)."""
     count = len(strips.nodes)
     rise, velocity, acceleration = (field.reshape(-1, count)[chosen].astype(float) for field in fields)

@@ -12,18 +12,24 @@ that recedes sheds the water without suction: its singular term is dropped, whic
 
 .. [Wagner1932] H. Wagner, "Ueber Stoss- und Gleitvorgaenge an der Oberflaeche von
     Fluessigkeiten", ZAMM 12(4), 193-215, 1932.
-.. [Korobkin2013] A. A. Korobkin, "A linearized model of water exit", Journal of Fluid Mechanics 737, 368-386, 2013.
+.. [vonKarman1929] T. von Karman, "The impact on seaplane floats during landing", NACA TN 321, 1929.
+.. [Korobkin2013] A. A. Korobkin, "A linearized model of water exit", Journal of Fluid Mechanics 737,
+368-386, 2013.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
+from workbench.impact.wagner import AIR_CUSHION_ANGLE
 from workbench.wet_deck_pressure.strip_profiles import StripProfiles
 from workbench.wet_deck_pressure.wetted_interval import ANGLES, COSINES, POINTS, WettedIntervals
 
 MODES = 10
 """Terms of the expansion along an interval."""
+
+SOUND_SPEED = 1500.0
+"""Of water [m/s]: no impact gives more than the pressure of a sound wave, rho c W ([vonKarman1929]_)."""
 
 _ORDER = np.arange(1, MODES + 1)
 _EXPANSION = 2 / POINTS * np.sin(ANGLES)[:, None] * np.sin(np.outer(ANGLES, _ORDER))
@@ -34,9 +40,10 @@ class PanelFlow(NamedTuple):
     """Integrals over panels of every row, all per density; (K, panels).
 
     ``potential_impulse`` -int phi dx [m3/s]; ``pressure`` int p/rho dx [m3/s2] at the instant;
-    ``drift`` what the speed of the deck through the water adds to the growth of the impulse [m3/s2]; ``edges`` what separation at the
-    edges of the deck adds [m3/s2]; ``is_spreading`` (K,): whether no free end recedes; ``edge_pressure`` (K,) largest pressure at a
-    jet root, p/rho [m2/s2].
+    ``drift`` what the speed of the deck through the water adds to the growth of the impulse [m3/s2];
+    ``edges`` what separation at the edges of the deck adds [m3/s2]; ``is_spreading`` (K,): whether no free
+    end recedes; ``root_pressure`` (K,) largest pressure at a jet root, p/rho [m2/s2]; ``roots`` number of
+    jet roots that advance, ``fast_roots`` of those that meet the deck at less than 3 degrees.
     """
 
     potential_impulse: np.ndarray
@@ -44,7 +51,9 @@ class PanelFlow(NamedTuple):
     drift: np.ndarray
     edges: np.ndarray
     is_spreading: np.ndarray
-    edge_pressure: np.ndarray
+    root_pressure: np.ndarray
+    roots: int
+    fast_roots: int
 
 
 def panel_flow(profiles: StripProfiles, intervals: WettedIntervals, panel_edges: np.ndarray) -> PanelFlow:
@@ -70,7 +79,9 @@ def panel_flow(profiles: StripProfiles, intervals: WettedIntervals, panel_edges:
     cosine = np.clip((panel_edges - middle[:, None]) / half[:, None], -1.0, 1.0)
     angle, sine = np.arccos(cosine), np.sqrt(1 - cosine**2)
     weights = half[:, None, None] ** 2 * np.stack([velocity, rate], axis=1) / _ORDER
-    (impulse, of_rate), potential = _sine_integrals(angle, sine, cosine, weights, half[:, None] * velocity / _ORDER)
+    (impulse, of_rate), potential = _sine_integrals(
+        angle, sine, cosine, weights, half[:, None] * velocity / _ORDER
+    )
     toward_fore = half[:, None] * (np.pi - angle - sine)
     toward_aft = half[:, None] * (np.pi - angle + sine)
 
@@ -79,15 +90,39 @@ def panel_flow(profiles: StripProfiles, intervals: WettedIntervals, panel_edges:
     spreads_aft = np.where(intervals.at_aft, 0.0, np.maximum(-intervals.aft_rate, 0.0))
     fore_term, aft_term = (at_fore_end / 2)[:, None] * toward_fore, (at_aft_end / 2)[:, None] * toward_aft
     pressure = of_rate + spreads_fore[:, None] * fore_term + spreads_aft[:, None] * aft_term
-    edges = u * (np.where(intervals.at_aft[:, None], aft_term, 0.0) - np.where(intervals.at_fore[:, None], fore_term, 0.0))
+    edges = u * (
+        np.where(intervals.at_aft[:, None], aft_term, 0.0)
+        - np.where(intervals.at_fore[:, None], fore_term, 0.0)
+    )
 
     count = len(profiles)
-    gathered = [_per_row(np.diff(part, axis=1), row, count) for part in (impulse, pressure, -u * potential, edges)]
-    recedes = ((intervals.fore_rate < 0) & ~intervals.at_fore) | ((intervals.aft_rate > 0) & ~intervals.at_aft)
-    fastest = np.maximum(spreads_fore, spreads_aft) ** 2 / 2
-    edge_pressure = np.zeros(count)
-    np.maximum.at(edge_pressure, row, fastest)
-    return PanelFlow(*gathered, np.bincount(row, recedes, count) == 0, edge_pressure)
+    gathered = [
+        _per_row(np.diff(part, axis=1), row, count) for part in (impulse, pressure, -u * potential, edges)
+    ]
+    recedes = ((intervals.fore_rate < 0) & ~intervals.at_fore) | (
+        (intervals.aft_rate > 0) & ~intervals.at_aft
+    )
+    return PanelFlow(
+        *gathered,
+        np.bincount(row, recedes, count) == 0,
+        *_roots(profiles, intervals, np.stack([spreads_aft, spreads_fore], axis=1)),
+    )
+
+
+def _roots(
+    profiles: StripProfiles, intervals: WettedIntervals, speed: np.ndarray
+) -> tuple[np.ndarray, int, int]:
+    """Largest pressure at the jet roots of each row, p/rho = c**2/2 of their speeds (interval, end), and counts."""
+    closing = profiles.closing(intervals.row, np.stack([intervals.aft, intervals.fore], axis=1))
+    closing = np.maximum(closing, 0.0)
+    pressure = np.zeros(len(profiles))
+    np.maximum.at(pressure, intervals.row, np.minimum(speed**2 / 2, SOUND_SPEED * closing).max(axis=1))
+    moving = (speed > 0) & (closing > 0)
+    return (
+        pressure,
+        int(moving.sum()),
+        int((moving & (speed * np.tan(AIR_CUSHION_ANGLE) > np.pi / 2 * closing)).sum()),
+    )
 
 
 def _sine_integrals(angle, sine, cosine, weights, potential_weights):

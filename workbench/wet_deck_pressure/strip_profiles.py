@@ -13,10 +13,11 @@ class StripProfiles:
     Parameters
     ----------
     nodes : evenly spaced places along the strip (n) [m].
-    rise, velocity, acceleration : (K, n) of the water against the deck [m], [m/s], [m/s2]; velocity and acceleration
-        follow the water particle where the ship moves.
+    rise, velocity, acceleration : (K, n) of the water against the deck [m], [m/s], [m/s2]; velocity and
+        acceleration follow the water particle where the ship moves.
     start, end : of the strip [m].
-    table : (S, m) what the deck stands higher than ``rise`` counts from, at evenly spaced places from start to end [m].
+    table : (S, m) what the deck stands higher than ``rise`` counts from, at evenly spaced places from start
+        to end [m].
     strip : (K,) strip of each row.
     edge_speed : speed of the deck along the strip through the water [m/s].
     """

@@ -24,8 +24,9 @@ class DeckStrips:
     nodes : centres of the panels along a strip [m]; edges : of the panels [m].
     width : of a strip [m].
     table : (strips, m) height of the deck above the water at rest, evenly spaced along each strip [m].
-    smooth : (strips, panels) share of that height that goes through a spline of the nodes [m]: lengthwise all of it, so that the
-        deck's kinks are as soft as a panel is long; across none, where the V of a pod is what matters.
+    smooth : (strips, panels) share of that height that goes through a spline of the nodes [m]: lengthwise
+        all of it, so that the deck's kinks are as soft as a panel is long; across none, where the V of a pod
+        is what matters.
     """
 
     direction: str
@@ -71,10 +72,10 @@ def deck_strips(wet_deck: WetDeck, deck: xr.Dataset, direction: str = "auto") ->
     Parameters
     ----------
     wet_deck : its shape between the points of the grid.
-    deck : grid from `workbench.geometry.wet_deck.wet_deck_grid`; where its ``height`` is less than that of the shape, the
-        water under it stands higher, by the ship's own steady wave.
-    direction : "lengthwise", "across", or "auto": across for a deck with a pod or centre bow, whose V is what meets the
-        water, lengthwise otherwise.
+    deck : grid from `workbench.geometry.wet_deck.wet_deck_grid`; where its ``height`` is less than that of
+        the shape, the water under it stands higher, by the ship's own steady wave.
+    direction : "lengthwise", "across", or "auto": across for a deck with a pod or centre bow, whose V is
+        what meets the water, lengthwise otherwise.
     """
     checked_choice("direction of the strips", direction, DIRECTIONS)
     if direction == "auto":

@@ -5,9 +5,9 @@ water meets the deck at the ends a, b of an interval with a finite jet root only
 
     int_a^b h sqrt((x-a)/(b-x)) dx = 0   and   int_a^b h sqrt((b-x)/(x-a)) dx = 0,
 
-[Wagner1932]_, in the form of the displacement potential. Where the water has reached an end of the strip it leaves the
-deck there, and the condition whose weight is singular at that end falls away. With x = m + l cos(theta)
-both are sums over Gauss-Chebyshev points.
+[Wagner1932]_, in the form of the displacement potential. Where the water has reached an end of the strip it
+leaves the deck there, and the condition whose weight is singular at that end falls away. With x = m + l
+cos(theta) both are sums over Gauss-Chebyshev points.
 
 .. [Wagner1932] H. Wagner, "Ueber Stoss- und Gleitvorgaenge an der Oberflaeche von
     Fluessigkeiten", ZAMM 12(4), 193-215, 1932.
@@ -36,9 +36,10 @@ _OPENING = 1.45
 class WettedIntervals(NamedTuple):
     """Wetted intervals, several a row at the most, ordered by row and place.
 
-    ``row`` of the profiles; ends ``aft``, ``fore`` [m]; ``at_aft``, ``at_fore``: whether they lie at the ends of the strip;
-    ``aft_rate``, ``fore_rate``: speeds of the ends through the water [m/s], forward positive;
-    ``settled``: whether Newton's method found them (else they are where undisturbed water cuts the deck).
+    ``row`` of the profiles; ends ``aft``, ``fore`` [m]; ``at_aft``, ``at_fore``: whether they lie at the
+    ends of the strip; ``aft_rate``, ``fore_rate``: speeds of the ends through the water [m/s], forward
+    positive; ``settled``: whether Newton's method found them (else they are where undisturbed water cuts the
+    deck).
     """
 
     row: np.ndarray
@@ -60,8 +61,8 @@ def wetted_intervals(profiles: StripProfiles) -> WettedIntervals:
 
     Notes
     -----
-    Starts from where undisturbed water stands above the deck. Intervals that the pile-up lets touch, and such as have
-    no solution beside their neighbour, are solved again as one. Costs some 25 microseconds a row.
+    Starts from where undisturbed water stands above the deck. Intervals that the pile-up lets touch, and
+    such as have no solution beside their neighbour, are solved again as one. Costs some 25 microseconds a row.
     """
     row, aft, fore = _cut_by_undisturbed_water(profiles)
     cut = aft, fore
