@@ -18,7 +18,8 @@ SUFFIXES = (".csv", ".nc")
 
 _TOLD = (
     "design", "motions", "speed", "wave_direction", "significant_wave_height", "peak_period", "clearance", "seed",
-    "strips", "frame", "suction", "reduction", "density", "time_step", "panel_length", "strip_width", "duration",
+    "strips", "frame",
+    "pressure_model", "suction", "reduction", "density", "time_step", "panel_length", "strip_width", "duration",
 )  # fmt: skip
 SLAM_COLUMNS = (
     "slam_start", "slam_duration", "slam_pressure", "slam_x", "slam_y", "slam_root_pressure", "slam_force",

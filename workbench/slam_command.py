@@ -169,6 +169,9 @@ def pressure(
     frame: Annotated[
         str, typer.Option(help="Closing velocity: material (against the water particle) or time-derivative.")
     ] = "material",
+    pressure_model: Annotated[
+        str, typer.Option(help="wagner, or logvinovich (less what the squared velocity takes).")
+    ] = "wagner",
     suction: Annotated[
         float, typer.Option(help="Largest suction before air gets under the deck [Pa], 0 to 101325.")
     ] = 0.0,
@@ -194,7 +197,12 @@ def pressure(
     from workbench.wet_deck_pressure.settings import DeckPressureSettings
 
     settings = DeckPressureSettings(
-        direction=strips, frame=frame, suction=suction, reduction=reduction, time_step=time_step
+        direction=strips,
+        frame=frame,
+        pressure=pressure_model,
+        suction=suction,
+        reduction=reduction,
+        time_step=time_step,
     )
     for path in (out, history):
         if path is not None:

@@ -196,6 +196,7 @@ def _attributes(
     return {
         "strips": strips.direction,
         "frame": settings.frame,
+        "pressure_model": settings.pressure,
         "suction": float(settings.suction),
         "reduction": settings.reduction,
         "density": float(density),
