@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from workbench import pipeline, pressure_stage
 from workbench.cache import load_dataset
@@ -35,17 +36,21 @@ def realised(ship, hours=0.05, **settings):
 
 
 def test_every_counted_entry_lies_in_a_slam_and_panels_that_entered_were_pressed(ship):
-    design, found, relative, slam = ship
+    _, found, relative, slam = ship
     events, _ = pipeline.counted_slams(found, relative, slam, Realisation(hours=0.05))
     slams = pressure_stage.slam_pressures(realised(ship))
     starts, ends = slams.slam_start.values, (slams.slam_start + slams.slam_duration).values
     pressed = []
-    for time, x, y in zip(events.event_time.values, events.event_x.values, events.event_y.values, strict=True):
+    for time, x, y in zip(
+        events.event_time.values, events.event_x.values, events.event_y.values, strict=True
+    ):
         inside = np.flatnonzero((starts <= time) & (time <= ends))
         assert inside.size
         pressed.append(float(slams.slam_panel_pressure.isel(slam=inside[0]).sel(x=x, y=y)) > 0)
     fast = events.entry_velocity.values > np.median(events.entry_velocity.values)
-    assert np.all(np.array(pressed)[fast])  # a slow entry late in a slam may find the suction of the water that leaves
+    assert np.all(
+        np.array(pressed)[fast]
+    )  # a slow entry late in a slam may find the suction of the water that leaves
     assert np.mean(pressed) > 0.9
 
 
@@ -88,6 +93,21 @@ def test_results_say_what_they_are_of_and_how_far_they_hold(ship):
     assert "Chuang" not in slams.attrs["warnings"]
 
 
+def test_panels_low_beside_the_hulls_do_not_keep_a_slam_from_ending(ship):
+    design, found, relative, _ = ship
+    sea = SeaState(significant_wave_height=3.0, peak_period=8.0)
+    condition = Condition(speed=10.0, wave_direction=np.pi, sea_state=sea)
+    beside_the_hulls = xr.zeros_like(ship[3].deck.height)
+    beside_the_hulls[:, [0, -1]] = 2.55  # the water stands 5 cm below the deck there
+    slam = pipeline.slamming(found, relative, design.wet_deck, condition, steady_elevation=beside_the_hulls)
+    deck = pressure_stage.RealisedDeck(found, relative, slam, design.wet_deck, Realisation(hours=0.05))
+    slams = pressure_stage.slam_pressures(deck)
+    usual = pressure_stage.slam_pressures(realised(ship))
+    assert slams.sizes["slam"] == pytest.approx(usual.sizes["slam"], abs=4)
+    assert "mark no slams of their own" in slams.attrs["warnings"]
+    assert "mark no slams" not in usual.attrs["warnings"]
+
+
 def test_a_deck_that_never_slams(ship):
     design, found, relative, _ = ship
     calm = Condition(
@@ -119,7 +139,17 @@ def run(capsys, *arguments):
 def test_command_gives_envelope_extremes_and_force_history(capsys, tmp_path):
     table, history = tmp_path / "slams.csv", tmp_path / "hardest.nc"
     code, out, _ = run(
-        capsys, "pressure", "delft-372", *SEA, "--clearance", "0.09", "--out", table, "--history", history, "--json"
+        capsys,
+        "pressure",
+        "delft-372",
+        *SEA,
+        "--clearance",
+        "0.09",
+        "--out",
+        table,
+        "--history",
+        history,
+        "--json",
     )
     assert code == 0
     values = json.loads(out)
@@ -134,7 +164,9 @@ def test_command_gives_envelope_extremes_and_force_history(capsys, tmp_path):
     found = load_dataset(history)
     assert found.deck_pressure.dims == ("time", "x", "y")
     assert found.deck_pressure.attrs["units"] == "Pa"
-    code, text, err = run(capsys, "pressure", "delft-372", *SEA, "--clearance", "0.09", "--reduction", "pabst")
+    code, text, err = run(
+        capsys, "pressure", "delft-372", *SEA, "--clearance", "0.09", "--reduction", "pabst"
+    )
     assert "largest panel pressure" in text
     assert "kPa" in text
     assert "warning:" in err

@@ -21,7 +21,7 @@ def without_weight(found, motion, strips):
     """Force less buoyancy of the deck, the mean over each step's ends [N]."""
     ends = np.concatenate([[found.time.values[0]], found.time.values]) + found.attrs["time_step"] / 2
     ends[0] = found.time.values[0] - found.attrs["time_step"] / 2
-    depth = np.maximum(strips.by_strip(motion.at(ends)[0]) - strips.lowest, 0)
+    depth = np.maximum(strips.by_strip(motion.at(ends)[0]) - strips.mean, 0)
     weight = RHO * GRAVITY * strips.panel_area * depth.sum(axis=(1, 2))
     return found.deck_force.values - (weight[1:] + weight[:-1]) / 2
 

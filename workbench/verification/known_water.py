@@ -77,7 +77,7 @@ def impact(
     found = history(motion, strips, DENSITY, settings, 0.0, until)
     actual = found.attrs["time_step"]
     ends = np.append(found.time.values - actual / 2, found.time.values[-1] + actual / 2)
-    depth = np.maximum(strips.by_strip(motion.at(ends)[0]) - strips.lowest, 0.0)
+    depth = np.maximum(strips.by_strip(motion.at(ends)[0]) - strips.mean, 0.0)
     weight = DENSITY * GRAVITY * strips.panel_area * depth.sum(axis=(1, 2))
     found["deck_force"] = found.deck_force - (weight[1:] + weight[:-1]) / 2
     return found

@@ -80,6 +80,7 @@ def slams_of_record(
     density: float,
     settings: DeckPressureSettings,
     gap: float,
+    marking: np.ndarray | None = None,
     progress: Callable[[float, str], None] = lambda fraction, message: None,
 ) -> xr.Dataset:
     """Pressure, force and impulse of all slams of a record.
@@ -88,6 +89,7 @@ def slams_of_record(
     ----------
     motion : water against the deck; strips : of the deck; density : [kg/m3].
     gap : dry time up to which two contacts are one slam [s].
+    marking : (x, y) whether a panel that gets wet marks a slam, as for `wet_stretches`.
     progress : called with the fraction done and a sentence; may raise to cancel.
 
     Returns
@@ -105,7 +107,7 @@ def slams_of_record(
     """
     step = settings.time_step or motion.time_step / SUBSTEPS
     substeps = max(1, round(motion.time_step / step))
-    stretches = wet_stretches(motion, strips, gap)
+    stretches = wet_stretches(motion, strips, gap, marking)
     sizes = block_sizes(len(motion.x), len(motion.y))
     tally = _Tally(motion, strips, stretches, sizes, substeps)
     batches = list(_batches(stretches, substeps))

@@ -82,7 +82,7 @@ def pressure_steps(
     mean -= (taken[1:] + taken[:-1]) / 2
     mean[np.isinf(step[:, 0, 0])] = 0.0
     panel_length = float(strips.edges[1] - strips.edges[0])
-    depth = np.maximum(fields[0] - strips.lowest, 0.0) * is_wet[..., None]
+    depth = np.maximum(fields[0] - strips.mean, 0.0) * is_wet[..., None]
     total = density * (mean / panel_length + GRAVITY * (depth[1:] + depth[:-1]) / 2)
     total = np.maximum(total, 0.0 - settings.suction) + 0.0  # no negative zeros
 
