@@ -62,6 +62,28 @@ def test_pressure_is_the_growth_of_the_potential_impulse_past_the_ship(speed):
     np.testing.assert_allclose(grown, found.pressure[1], atol=3e-4 * found.pressure.max())
 
 
+@pytest.mark.parametrize("end", [1, -1])
+def test_growth_of_the_potential_impulse_with_water_over_an_end_of_an_advancing_deck(end):
+    """The singular term of the end at the edge, which moves with the ship, is off the growth as off the pressure."""
+    gradient, speed, step = 0.1, 6.0, 1e-4
+    times = 0.31 + step * np.array([-1, 0, 1])
+    profiles = profiles_of(
+        lambda t, x, y: VELOCITY * t - gradient * (30 - end * x),
+        lambda t, x, y: VELOCITY - speed * end * gradient + 0 * x,
+        lambda t, x, y: 0 * x,
+        times,
+        NODES,
+        30.0,
+        speed,
+    )
+    found = flow_of(profiles)
+    grown = (found.potential_impulse[2] - found.potential_impulse[0]) / (2 * step)
+    assert np.abs(found.edges[1]).max() > 0.1
+    np.testing.assert_allclose(
+        grown + found.drift[1] + found.edges[1], found.pressure[1], atol=1e-3 * np.abs(found.pressure).max()
+    )
+
+
 def test_pressure_of_a_uniform_plate_is_wagners_outer_pressure():
     """rho V c c'/sqrt(c**2 - x**2), integrated over panels as an arc sine."""
     t = np.array([0.15])
@@ -131,6 +153,9 @@ def test_root_pressure_is_half_rho_of_the_roots_speed_squared_and_not_beyond_tha
     assert found.root_pressure[0] == pytest.approx(SOUND_SPEED * VELOCITY)
     assert found.root_pressure[1] == pytest.approx(VELOCITY / CURVATURE / 0.1 / 2)
     assert (found.roots, found.fast_roots) == (4, 2)
+    limit = np.pi / 2 * VELOCITY / np.tan(np.radians(3.0))  # of a wedge of 3 degrees
+    near = VELOCITY / CURVATURE / (limit * np.array([1.05, 0.95])) ** 2
+    assert flow_of(of_crest(near, celerity=0.0)).fast_roots == 2
 
 
 def test_the_force_does_not_depend_on_the_panels():
