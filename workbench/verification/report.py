@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from workbench.verification import (
+    baggus_cases,
     body_cases,
     counting_cases,
     delft_cases,
@@ -38,6 +39,7 @@ GROUPS = {
     "high-speed theory": high_speed_cases,
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
+    "wet-deck slam of the heavy-lift model": baggus_cases,
     "sailing multihulls": sail_cases,
     "parametric studies": parametric_cases,
     "simulation in time": simulation_cases,
