@@ -22,6 +22,7 @@ from workbench.verification import (
     section_cases,
     ship_cases,
     simulation_cases,
+    spreading_plate,
     strip_cases,
 )
 from workbench.verification.case import VERDICTS, Case, Outcome, outcome
@@ -40,6 +41,7 @@ GROUPS = {
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
     "wet-deck slam of the heavy-lift model": baggus_cases,
+    "spreading plate": spreading_plate,
     "sailing multihulls": sail_cases,
     "parametric studies": parametric_cases,
     "simulation in time": simulation_cases,

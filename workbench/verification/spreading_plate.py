@@ -4,6 +4,7 @@ import numpy as np
 import xarray as xr
 
 from workbench import quantities
+from workbench.verification.case import Case
 from workbench.wet_deck_pressure import fitted_pressure
 
 DENSITY, VELOCITY, SPEED, LENGTH, PANELS = 1000.0, 0.4, 5.0, 0.06, 40
@@ -66,3 +67,70 @@ def pitfall(steps: int, form: str = "panel centre") -> float:
         edges = centres - step / 2, centres + step / 2
         pressure = fitted_pressure.average_pressure(*edges, front, SPEED, VELOCITY, DENSITY)
     return float(pressure.sum() * step * time_step)
+
+
+PITFALL = (
+    (50, 1.122),
+    (100, 1.114),
+    (200, 1.108),
+    (500, 1.121),
+    (1000, 1.1196),
+    (2000, 14592.0),
+    (5000, 1.1259),
+)
+"""Impulse with pressures at panel centres by number of time steps [N s/m], of an independent program."""
+
+PITFALL_ROUNDING = {1000: 0.0001, 2000: 0.5}
+SPIKE = "exact 1.13097; a front falls on a panel centre to rounding, and the sum has no meaning"
+
+
+def cases() -> list[Case]:
+    """Return the cases of this module."""
+    wagner = "H. Wagner, ZAMM 12, 193-215, 1932"
+    made = [
+        Case(
+            id=f"spreading-centres-{steps}",
+            title=f"Impulse of a spreading plate, pressures at panel centres, {steps} time steps",
+            kind="second code",
+            source="pressures at panel centres, numbers of an independent program",
+            published=known,
+            computed=lambda steps=steps: pitfall(steps),
+            tolerance=PITFALL_ROUNDING.get(steps, 0.0006),
+            unit="N s/m",
+            note=SPIKE if steps == 2000 else "",
+        )
+        for steps, known in PITFALL
+    ]
+    made += [
+        Case(
+            id=f"spreading-averages-{steps}",
+            title=f"Impulse of a spreading plate, pressures averaged over panels, {steps} time steps",
+            kind="closed form",
+            source=wagner,
+            published=IMPULSE * (1 + 1 / steps),
+            computed=lambda steps=steps: pitfall(steps, "panel average"),
+            tolerance=1e-9,
+            unit="N s/m",
+            note="pi/4 rho V c**2, times 1 + 1/n for the sum over n steps",
+        )
+        for steps in (50, 2000)
+    ]
+    return [
+        *made,
+        Case(
+            id="spreading-two-sides",
+            title="Impulse of a plate that spreads both ways, over pi/2 rho V c**2",
+            kind="closed form",
+            source=wagner,
+            published=1.0,
+            computed=_two_sides,
+            tolerance=1e-6,
+        ),
+    ]
+
+
+def _two_sides() -> float:
+    found = fitted_pressure.slam_pressure(spreading_slam(), DENSITY)
+    length = float(found.wetted_length_fore[-1])
+    closed = 2 * fitted_pressure.spreading_impulse(DENSITY, VELOCITY, length)
+    return float(found.slam_impulse[-1]) / closed
