@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from workbench.verification import (
+    amin_cases,
     baggus_cases,
     body_cases,
     counting_cases,
@@ -42,6 +43,7 @@ GROUPS = {
     "heavy-lift model": model_cases,
     "wet-deck slam of the heavy-lift model": baggus_cases,
     "spreading plate": spreading_plate,
+    "slam loads of the Incat 98 m": amin_cases,
     "sailing multihulls": sail_cases,
     "parametric studies": parametric_cases,
     "simulation in time": simulation_cases,
