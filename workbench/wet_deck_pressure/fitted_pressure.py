@@ -159,7 +159,7 @@ def _pressure(
         if form == "panel centre":
             distance = sign * (slam.event_x.values - contact)
             own = centre_pressure(np.abs(distance), length, rate, impact, density)
-            total += np.where(distance >= (0.0 if sign > 0 else 1e-15), own, 0.0)
+            total += np.where(distance >= 0 if side == "fore" else distance > 0, own, 0.0)
             continue
         edges = sign * (slam.panel_aft.values - contact), sign * (slam.panel_fore.values - contact)
         near, far = (np.maximum(part, 0.0) for part in (np.minimum(*edges), np.maximum(*edges)))
