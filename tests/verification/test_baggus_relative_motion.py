@@ -125,7 +125,15 @@ def test_two_waves_are_the_sum_and_their_velocity_the_derivative():
     ) / (2 * step)
     np.testing.assert_allclose(source.disturbed_velocity(*given, time), slope, atol=1e-8)
     printed = source.disturbed_distance(*given, time, form="printed")
-    assert np.abs(printed - both).max() > 0.02  # other phases, and one frequency for both
+    motion = both + sum(
+        np.imag(0.0175 * e * np.exp(-1j * w.omega * time)) for w, e in zip(waves, elevations, strict=True)
+    )
+    as_printed = motion - sum(  # phase k x_O, and one frequency for both
+        0.0175 * abs(e) * np.sin(w.omega**2 / 9.81 * 0.167 - 9.5 * time)
+        for w, e in zip(waves, elevations, strict=True)
+    )
+    np.testing.assert_allclose(printed, as_printed, atol=1e-12)
+    assert np.abs(printed - both).max() > 0.02
 
 
 def test_undisturbed_elevation_in_the_disturbed_equation_is_the_undisturbed_equation():

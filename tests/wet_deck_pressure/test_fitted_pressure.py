@@ -133,6 +133,16 @@ def test_averages_converge_where_centres_do_not():
     assert np.ptp(centre) > 1e-3 * average[-1]
 
 
+def test_centres_have_the_pressure_of_their_own_side():
+    slam = spreading_slam(panels=20)
+    slam["time_since_contact"] = slam.time_since_contact * np.where(slam.event_x.values < 0, 2.0, 1.0)
+    found = slam_pressure(slam, DENSITY, form="panel centre", steps=100)
+    time = float(found.time[61])
+    speed = np.where(found.point_x.values < 0, SPEED / 2, SPEED)
+    expected = centre_pressure(np.abs(found.point_x.values), speed * time, speed, VELOCITY, DENSITY)
+    np.testing.assert_allclose(found.slam_pressure.values[61], expected, rtol=1e-6)
+
+
 def test_a_front_on_a_panel_centre_ruins_the_sum():
     assert pitfall(1000) == pytest.approx(IMPULSE, rel=0.02)
     assert pitfall(2000) > 1000 * IMPULSE
@@ -141,7 +151,8 @@ def test_a_front_on_a_panel_centre_ruins_the_sum():
 
 def test_limits_are_said():
     slam = spreading_slam()
-    assert "5 degrees" not in slam_pressure(slam, DENSITY).attrs["warnings"]
+    for steep in (slam, slam.assign(entry_angle=-slam.entry_angle)):
+        assert "5 degrees" not in slam_pressure(steep, DENSITY).attrs["warnings"]
     flat = slam.assign(entry_angle=("event", np.full(slam.sizes["event"], -0.05)))
     notes = quantities.warnings_of(slam_pressure(flat, DENSITY))
     assert any("2.9 degrees at least: below 5 degrees" in note for note in notes)

@@ -65,7 +65,7 @@ def test_forces_on_a_deck_go_with_its_cells():
     assert coarse.attrs["resultant_x"] == pytest.approx(fine.attrs["resultant_x"], abs=0.05)
     assert coarse.attrs["resultant_y"] == pytest.approx(0.0, abs=1e-9)
     x, y = np.array([30.0, 30.0]), np.array([5.0, -5.0])
-    weighed = nodal_forces(load(), x, y, largest=4.0, area=[1.0, 0.25])
+    weighed = nodal_forces(load(), x, y, largest=4.0, area=[2.0, 0.5])
     np.testing.assert_allclose(weighed.nodal_force, [4.0, 1.0])
 
 

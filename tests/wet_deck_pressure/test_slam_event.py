@@ -55,6 +55,7 @@ def test_neighbours_touch_by_their_corners_and_not_across_a_gap():
     corners = [(5, 0, 1.0, 0.1, 0.1), (6, 1, 1.1, 0.1, 0.1)]
     assert slams(dips(corners), DECK).sizes["slam"] == 1
     assert slams(dips([(5, 0, 1.0, 0.1, 0.1), (7, 0, 1.1, 0.1, 0.1)]), DECK).sizes["slam"] == 2
+    assert slams(dips([(5, 0, 1.0, 0.1, 0.1), (5, 2, 1.0, 0.1, 0.1)]), DECK).sizes["slam"] == 2
     assert slams(dips(corners), DECK, window=0.05).sizes["slam"] == 2
     # the last row and the first are no neighbours, in waves that repeat either
     assert slams(dips([(0, 1, 1.0, 0.1, 0.1), (19, 1, 1.0, 0.1, 0.1)]), DECK).sizes["slam"] == 2
