@@ -6,9 +6,8 @@ from workbench.verification import amin_conflicts, published
 from workbench.verification.case import Case
 from workbench.wet_deck_pressure import strain_impulse
 from workbench.wet_deck_pressure.load_distribution import INCAT_061, SHAPES, SlamDistribution, nodal_forces
+from workbench.wet_deck_pressure.slam_tables import TONNE_FORCE
 
-TONNE = 1000 * 9.80665
-"""One tonne-force [N]."""
 
 SECTION_STIFFNESS = 1.37e7
 """EZ at gauge T1_5 [tonne m], as the impulses of table 4 imply; not printed."""
@@ -163,7 +162,7 @@ def _impulse_cases() -> list[Case]:
             "duration",
             "effective duration of the largest impulse",
             "published",
-            lambda: strain_impulse.effective_duration(286 * TONNE, 2241 * TONNE),
+            lambda: strain_impulse.effective_duration(286 * TONNE_FORCE, 2241 * TONNE_FORCE),
         ),
         ("scaled", "impulse of the model at ship size", "published", _scaled),
         ("fifth", "aft over forward impulse", "published", lambda: _impulse(2.15e-4, 46.74) / 286),
@@ -186,8 +185,8 @@ def _impulse_cases() -> list[Case]:
 
 
 def _impulse(integral: float, lever: float) -> float:
-    found = strain_impulse.strain_impulse(integral, SECTION_STIFFNESS * TONNE, lever)
-    return float(found.slam_impulse) / TONNE
+    found = strain_impulse.strain_impulse(integral, SECTION_STIFFNESS * TONNE_FORCE, lever)
+    return float(found.slam_impulse) / TONNE_FORCE
 
 
 def _half_sine() -> float:
@@ -197,7 +196,7 @@ def _half_sine() -> float:
 
 def _scaled() -> float:
     ratio = 20 * KNOT / 1.53
-    return strain_impulse.scaled_impulse(5.0, ratio, SHIP_LENGTH / MODEL_LENGTH) / TONNE
+    return strain_impulse.scaled_impulse(5.0, ratio, SHIP_LENGTH / MODEL_LENGTH) / TONNE_FORCE
 
 
 def _distribution_cases() -> list[Case]:

@@ -25,8 +25,8 @@ LEAST_ANGLE = np.radians(5.0)
 """Below this angle between deck and water the air between them matters [rad] ([Baggus2025]_ 1.1)."""
 
 NO_PILE_UP = (
-    "Wetted length by rigid kinematics, without the pile-up of water; impact velocity constant in time; "
-    "no load before the fitted front arrives and none after the slam."
+    "Wetted length by rigid kinematics, without the pile-up of water; plane flow along the ship; impact velocity "
+    "constant in time; no load before the fitted front arrives and none after the slam."
 )
 
 
@@ -104,8 +104,9 @@ def slam_pressure(
     Notes
     -----
     The front is the same at all y; panels beside the slam that it does not wet carry no load. Holds
-    for flat decks and short slams; neglects the deceleration of the impact and the squares of the
-    flow velocity. [Baggus2025]_ 6.3-6.4.
+    for flat decks and short slams; plane flow along the ship, so too much load where the wetted part is
+    not much wider than long; neglects the deceleration of the impact and the squares of the flow
+    velocity. [Baggus2025]_ 6.3-6.4.
     """
     checked_number("density", density, "kg/m3", above=0)
     checked_choice("form of the pressure", form, FORMS)
