@@ -2,20 +2,18 @@
 
 import numpy as np
 
+from workbench.conventions import KNOT
 from workbench.verification import amin_conflicts, published
 from workbench.verification.case import Case
 from workbench.wet_deck_pressure import strain_impulse
 from workbench.wet_deck_pressure.load_distribution import INCAT_061, SHAPES, SlamDistribution, nodal_forces
 from workbench.wet_deck_pressure.slam_tables import TONNE_FORCE
 
-
 SECTION_STIFFNESS = 1.37e7
 """EZ at gauge T1_5 [tonne m], as the impulses of table 4 imply; not printed."""
 
 MODEL_LENGTH, SHIP_LENGTH = 2.5, 112.0
 """Of hull 064 and its model [m]; the model's from other work on it."""
-
-KNOT = 1852 / 3600
 
 PERCENT = (
     (
