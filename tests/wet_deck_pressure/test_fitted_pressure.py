@@ -58,11 +58,11 @@ def test_impulse_of_a_spreading_plate_is_closed_form(sides, steps):
     found = slam_pressure(spreading_slam(sides=sides, breadth=2.0), DENSITY, steps=steps)
     length = float(found.wetted_length_fore[-1])
     expected = 2.0 * sides * spreading_impulse(DENSITY, VELOCITY, length)
-    assert float(found.slam_impulse[-1]) == pytest.approx(expected, rel=1e-9)
+    assert float(found.running_impulse[-1]) == pytest.approx(expected, rel=1e-9)
     force = 2.0 * sides * np.pi / 2 * DENSITY * VELOCITY * length * SPEED
-    assert float(found.slam_force[-1]) == pytest.approx(force, rel=1e-9)
-    np.testing.assert_allclose(found.slam_force, found.slam_pressure @ found.area)
-    assert float(found.slam_force[0]) == 0.0
+    assert float(found.deck_force[-1]) == pytest.approx(force, rel=1e-9)
+    np.testing.assert_allclose(found.deck_force, found.deck_pressure @ found.area)
+    assert float(found.deck_force[0]) == 0.0
 
 
 def test_a_front_that_slows_down_has_the_impulse_of_its_length():
@@ -70,7 +70,7 @@ def test_a_front_that_slows_down_has_the_impulse_of_its_length():
     found = slam_pressure(slam, DENSITY, fit="quadratic")
     length = float(found.wetted_length_fore[-1])
     closed = 2 * spreading_impulse(DENSITY, VELOCITY, length)
-    assert float(found.slam_impulse[-1]) == pytest.approx(closed, rel=1e-5)
+    assert float(found.running_impulse[-1]) == pytest.approx(closed, rel=1e-5)
     straight = slam_pressure(slam, DENSITY, fit="linear")
     early = 300
     assert float(straight.wetted_length_fore[early]) < float(found.wetted_length_fore[early])
@@ -89,14 +89,14 @@ def test_contact_within_a_panel_divides_it_between_the_sides():
     early = 200  # both fronts are still on panels
     length = float(found.wetted_length_fore[early])
     assert length == pytest.approx(float(found.wetted_length_aft[early]), rel=1e-9)
-    assert float(found.slam_force[early]) == pytest.approx(
+    assert float(found.deck_force[early]) == pytest.approx(
         np.pi * DENSITY * VELOCITY * length * SPEED, rel=1e-9
     )
 
 
 def test_pressure_comes_with_the_front():
     found = slam_pressure(spreading_slam(panels=20), DENSITY, steps=400)
-    wet = found.slam_pressure.values > 0
+    wet = found.deck_pressure.values > 0
     inner = np.abs(found.point_x.values) - 0.0015
     for side, chosen in (("fore", found.point_x.values > 0), ("aft", found.point_x.values < 0)):
         front = found[f"wetted_length_{side}"].values[:, None]
@@ -113,14 +113,14 @@ def test_variants_of_the_source_differ_in_what_they_vary():
     }
     for (fit, velocity), found in made.items():
         assert f"{fit} front, {velocity} impact velocity" in found.attrs["method"]
-        fore = found.slam_pressure.values[-1, found.point_x.values > 0].sum()
-        aft = found.slam_pressure.values[-1, found.point_x.values < 0].sum()
+        fore = found.deck_pressure.values[-1, found.point_x.values > 0].sum()
+        aft = found.deck_pressure.values[-1, found.point_x.values < 0].sum()
         assert fore > 1.1 * aft if velocity == "cubic" else fore == pytest.approx(aft)
     np.testing.assert_allclose(
-        made["cubic", "mean"].slam_impulse[-1], made["quadratic", "mean"].slam_impulse[-1], rtol=1e-6
+        made["cubic", "mean"].running_impulse[-1], made["quadratic", "mean"].running_impulse[-1], rtol=1e-6
     )
-    assert float(made["linear", "mean"].slam_impulse[-1]) > 1.1 * float(
-        made["quadratic", "mean"].slam_impulse[-1]
+    assert float(made["linear", "mean"].running_impulse[-1]) > 1.1 * float(
+        made["quadratic", "mean"].running_impulse[-1]
     )
 
 
@@ -140,7 +140,7 @@ def test_centres_have_the_pressure_of_their_own_side():
     time = float(found.time[61])
     speed = np.where(found.point_x.values < 0, SPEED / 2, SPEED)
     expected = centre_pressure(np.abs(found.point_x.values), speed * time, speed, VELOCITY, DENSITY)
-    np.testing.assert_allclose(found.slam_pressure.values[61], expected, rtol=1e-6)
+    np.testing.assert_allclose(found.deck_pressure.values[61], expected, rtol=1e-6)
 
 
 def test_a_front_on_a_panel_centre_ruins_the_sum():

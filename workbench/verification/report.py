@@ -25,12 +25,14 @@ from workbench.verification import (
     simulation_cases,
     spreading_plate,
     strip_cases,
+    wet_deck_cases,
 )
 from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 
 GROUPS = {
     "impact pressure": impact_cases,
     "water entry of sections": entry_cases,
+    "pressure over the wet deck": wet_deck_cases,
     "seas and statistics": sea_cases,
     "counting": counting_cases,
     "encounter, sea areas and limits": encounter_cases,

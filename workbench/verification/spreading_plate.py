@@ -133,4 +133,4 @@ def _two_sides() -> float:
     found = fitted_pressure.slam_pressure(spreading_slam(), DENSITY)
     length = float(found.wetted_length_fore[-1])
     closed = 2 * fitted_pressure.spreading_impulse(DENSITY, VELOCITY, length)
-    return float(found.slam_impulse[-1]) / closed
+    return float(found.running_impulse[-1]) / closed

@@ -97,8 +97,8 @@ def slam_pressure(
 
     Returns
     -------
-    Dataset over time since first contact and point: ``slam_pressure`` (time, point), ``slam_force``
-    (time) [N], ``slam_impulse`` (time) [N s] by the trapezium rule; ``wetted_length_fore`` and
+    Dataset over time since first contact and point: ``deck_pressure`` (time, point), ``deck_force``
+    (time) [N], ``running_impulse`` (time) [N s] by the trapezium rule; ``wetted_length_fore`` and
     ``wetted_length_aft`` (time); ``impact_velocity``, ``point_x``, ``point_y``, ``area`` (point).
 
     Notes
@@ -133,9 +133,9 @@ def slam_pressure(
             **{name: slam.attrs[name] for name in ("start", "contact_x", "contact_y")},
             "density": float(density),
         },
-        slam_pressure=(("time", "point"), pressure),
-        slam_force=("time", force),
-        slam_impulse=("time", impulse),
+        deck_pressure=(("time", "point"), pressure),
+        deck_force=("time", force),
+        running_impulse=("time", impulse),
         wetted_length_fore=("time", lengths["fore"]),
         wetted_length_aft=("time", lengths["aft"]),
         impact_velocity=("point", impact),
@@ -186,7 +186,9 @@ def impulse_convergence(
     -------
     Dataset over steps: ``slam_impulse`` at the end of the wetting [N s].
     """
-    ends = [slam_pressure(slam, density, steps=count, **variant).slam_impulse.values[-1] for count in steps]
+    ends = [
+        slam_pressure(slam, density, steps=count, **variant).running_impulse.values[-1] for count in steps
+    ]
     return quantities.dataset(
         {"steps": list(steps)}, method="impulse by number of time steps", slam_impulse=("steps", ends)
     )
