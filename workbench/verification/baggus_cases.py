@@ -25,8 +25,8 @@ SPREAD = (
 )
 
 SIGNS = (
-    "the thesis's slam comes of a pitch term with the sign of the mirrored ship and of a wave field without the "
-    "radiated waves; with both put right the stand-in's deck is touched amidships only, by 2 mm"
+    "with consistent signs and the radiated waves the stand-in's deck is touched amidships only, by 2 mm; the thesis "
+    "prints a pitch term of the mirrored ship and leaves the radiated waves out, which moves the slam aft"
 )
 
 TURNS = "the entries near 4.6 and 5.9 s are two short periods apart; the thesis reads the long period off its figure"
@@ -236,7 +236,7 @@ def _slam_cases() -> list[Case]:
                 computed,
                 more.pop("tolerance"),
                 unit=unit,
-                note=f"{STAND_IN}; tolerance of the place: two cells of the deck",
+                note=f"{STAND_IN}; kinematics chosen among six by its slam; tolerance of the place: two cells of the deck",
                 **more,
             )
         )
