@@ -236,7 +236,7 @@ def _slam_cases() -> list[Case]:
                 computed,
                 more.pop("tolerance"),
                 unit=unit,
-                note=f"{STAND_IN}; kinematics chosen among six by its slam; tolerance of the place: two cells of the deck",
+                note=f"{STAND_IN}; kinematics chosen among six by its slam; place within two cells of the deck",
                 **more,
             )
         )
