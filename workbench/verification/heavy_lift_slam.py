@@ -9,7 +9,7 @@ Hull lines and gyradii are not published, so hull and motions are a stand-in's. 
 With the first the stand-in's deck is hardly touched, and amidships. With the second it slams aft, about where and
 when the source says. The second was found by trying: incident, diffracted or all waves, and either sign of pitch, on
 our responses (and, as a check, on the source's at 9.5 rad/s). Consistent signs wet the aft deck with none of the
-three wave fields; the printed sign does with the diffracted waves and and, nearer amidships, with all. It
+three wave fields; the printed sign does with the diffracted waves and, nearer amidships, with all. It
 suggests that the source's slam comes of that sign and of the radiated waves it leaves out; on a stand-in it proves
 nothing.
 
