@@ -5,6 +5,8 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from workbench.verification import (
+    amin_cases,
+    baggus_cases,
     body_cases,
     counting_cases,
     delft_cases,
@@ -21,6 +23,7 @@ from workbench.verification import (
     section_cases,
     ship_cases,
     simulation_cases,
+    spreading_plate,
     strip_cases,
     wet_deck_cases,
 )
@@ -40,6 +43,9 @@ GROUPS = {
     "high-speed theory": high_speed_cases,
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
+    "wet-deck slam of the heavy-lift model": baggus_cases,
+    "spreading plate": spreading_plate,
+    "slam loads of the Incat 98 m": amin_cases,
     "sailing multihulls": sail_cases,
     "parametric studies": parametric_cases,
     "simulation in time": simulation_cases,
