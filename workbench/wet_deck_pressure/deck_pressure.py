@@ -105,8 +105,15 @@ def slams_of_record(
     A slam that the record cuts at its beginning or end is in the envelope, and is marked. One hour on 400
     panels with several hundred slams takes about 10 s on two cores.
     """
-    step = settings.time_step or motion.time_step / SUBSTEPS
-    substeps = max(1, round(motion.time_step / step))
+    step = checked_number(
+        "time step of the pressures",
+        settings.time_step or motion.time_step / SUBSTEPS,
+        "s",
+        above=0,
+        at_most=motion.time_step * (1 + 1e-9),
+        cure="the record's own step is the coarsest",
+    )
+    substeps = round(motion.time_step / step)
     stretches = wet_stretches(motion, strips, gap, marking)
     sizes = block_sizes(len(motion.x), len(motion.y))
     tally = _Tally(motion, strips, stretches, sizes, substeps)
