@@ -312,6 +312,18 @@ def test_a_slam_at_the_edge_of_the_record_is_marked():
     ) == [0]
 
 
+def test_contacts_are_one_slam_where_the_deck_is_dry_no_longer_than_the_gap():
+    wet_deck, grid = flat_deck()
+    level = (
+        lambda t, x, y: 0.2 * np.sin(2 * np.pi * t / 1.2) + 0 * (x + y),
+        lambda t, x, y: 0.2 * 2 * np.pi / 1.2 * np.cos(2 * np.pi * t / 1.2) + 0 * (x + y),
+        lambda t, x, y: -0.2 * (2 * np.pi / 1.2) ** 2 * np.sin(2 * np.pi * t / 1.2) + 0 * (x + y),
+    )
+    motion, strips = moved(*level, wet_deck, grid, 3.5)  # dry for 0.6 s between contacts
+    for gap, count in ((0.5, 3), (0.7, 1)):
+        assert slams_of_record(motion, strips, RHO, DeckPressureSettings(), gap=gap).sizes["slam"] == count
+
+
 def test_a_dry_record_has_no_slams():
     wet_deck, grid = flat_deck()
     motion, strips = moved(
