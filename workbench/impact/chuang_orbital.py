@@ -19,7 +19,7 @@ from workbench.impact.regular_wave import RegularWave
 
 
 class Orbit(NamedTuple):
-    """Slope of the surface [rad]; velocity of the water normal to it (towards the deck) and along it (forward) [m/s]."""
+    """Slope of the surface [rad]; velocity of the water normal to it, upward, and along it, forward [m/s]."""
 
     slope: np.ndarray
     normal_velocity: np.ndarray

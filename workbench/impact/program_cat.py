@@ -75,7 +75,9 @@ def cat(vhea: float, vwav: float, vp: float, td: float, wsd: float, pnr: float) 
     ak = _constant(x, xi)
     pic = DENSITY * ak * vn**2
     if vn == 0:
-        raise InputError("velocities of a slam must not cancel, got a normal velocity of 0 ft/s; k would be infinite.")
+        raise InputError(
+            "velocities of a slam must not cancel, got a normal velocity of 0 ft/s; k would be infinite."
+        )
     return Line(vn, vt, x, (pnr - ppc) / (DENSITY * vn**2), ak, ppc + pic, pnr)
 
 
@@ -85,10 +87,20 @@ def _constant(x: float, xi: float) -> float:
         return 0.37 * x / 2.2 + 0.5
     if x < 11.0:
         return (
-            2.1820894 - 0.9451815 * x + 0.2037541 * x**2 - 0.0233896 * x**3 + 0.0013578 * x**4 - 0.00003132 * x**5
+            2.1820894
+            - 0.9451815 * x
+            + 0.2037541 * x**2
+            - 0.0233896 * x**3
+            + 0.0013578 * x**4
+            - 0.00003132 * x**5
         )
     if x < 20.0:
         return (
-            4.748742 - 1.3450284 * x + 0.1576516 * x**2 - 0.0092976 * x**3 + 0.0002735 * x**4 - 0.00000319864 * x**5
+            4.748742
+            - 1.3450284 * x
+            + 0.1576516 * x**2
+            - 0.0092976 * x**3
+            + 0.0002735 * x**4
+            - 0.00000319864 * x**5
         )
     return 0.76856471 * (1.0 + 2.4674 / math.tan(xi) ** 2) / 288.0

@@ -14,6 +14,7 @@ import xarray as xr
 from workbench import quantities
 from workbench.errors import InputError, checked_number
 from workbench.impact import chuang
+from workbench.impact.pressure import PressureLaw, velocity_notes
 from workbench.impact.regular_wave import RegularWave, celerity
 from workbench.impact.stavovy_chuang import PREDICTED
 from workbench.motions import interpolated_motions
@@ -158,19 +159,25 @@ def regular_wave_slams(
     Notes
     -----
     Undisturbed wave, first closing of the clearance in a period, each point by itself:
-    what a slam elsewhere does to the wave and the ship is left out. Velocities normal to
-    the deck that open the gap count as no pressure.
+    what a slam elsewhere does to the wave and the ship is left out. A velocity away from
+    the water, possible under a steeply raked deck, makes no pressure.
     """
     lever = deck.x.values[:, None] - centre_x
     trim = np.arctan(deck.slope_x.values)
     instant = motion.impact_instant(lever, deck.height.values)
     state = motion.at(instant, lever)
     found = chuang.method_one(*state, density, small_angle_law=small_angle_law, trim=trim)
+    closes = ~(found.normal_velocity < 0)
+    found = chuang.Prediction(*found[:4], *(np.where(closes, pressure, 0.0) for pressure in found[4:]))
     dims = ("x", "y")
     notes = list(quantities.warnings_of(deck))
-    notes.append("Head seas, the undisturbed wave, local peaks of some milliseconds: not the load of a panel.")
+    notes.append(
+        "Head seas, the undisturbed wave, local peaks of some milliseconds: not the load of a panel."
+    )
     if float(np.abs(np.arctan(deck.slope_y.values)).max()) > FLAT_BAND:
         notes.append("The deck slopes across, which Chuang's method for flat bottoms leaves out.")
+    if np.isfinite(found.normal_velocity).any():
+        notes += velocity_notes(PressureLaw(), float(np.nanmax(found.normal_velocity)))
     inputs = dict(zip(Instant._fields, np.broadcast_arrays(*state), strict=True))
     attitude = inputs.pop("pitch") + trim
     return quantities.dataset(

@@ -94,9 +94,7 @@ def synchronous(period: float, natural_periods: dict[str, float]) -> tuple[str, 
     for mode, natural in natural_periods.items():
         checked_number(f"natural period of {mode}", natural, "s", above=0)
     return tuple(
-        mode
-        for mode, natural in natural_periods.items()
-        if abs(period / natural - 1) <= SYNCHRONISM_BAND
+        mode for mode, natural in natural_periods.items() if abs(period / natural - 1) <= SYNCHRONISM_BAND
     )
 
 
@@ -144,9 +142,8 @@ def _share(value, amplitude: float) -> float:
 
 
 def _sentences(motion, amplitude, clearance, slams, out, typical, met) -> tuple[str, ...]:
-    notes = [
-        f"Relative motion of {amplitude:.3g} m {'exceeds' if slams else 'stays below'} the clearance of {clearance:.3g} m."
-    ]
+    against = "exceeds" if slams else "stays below"
+    notes = [f"Relative motion of {amplitude:.3g} m {against} the clearance of {clearance:.3g} m."]
     if out:
         higher = "above" if motion.wave.amplitude > clearance else "below"
         notes.append(
@@ -160,5 +157,7 @@ def _sentences(motion, amplitude, clearance, slams, out, typical, met) -> tuple[
             else "At impact bow-down pitch and heave velocity are not both near their largest: not the usual slam."
         )
     if met:
-        notes.append(f"The wave meets the natural period of {' and '.join(met)}: motions and pressures are highest.")
+        notes.append(
+            f"The wave meets the natural period of {' and '.join(met)}: motions and pressures are highest."
+        )
     return tuple(notes)
