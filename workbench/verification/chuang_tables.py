@@ -12,6 +12,7 @@ from workbench.impact.program_cat import Line, cat
 from workbench.impact.slam_table import Agreement, agreement, predicted_slams
 from workbench.records.gauge_averages import AREAS, SILENT
 from workbench.verification import published
+from workbench.verification.case import Case
 
 MODEL_SLAMS, SHIP_SLAMS = "chuang_1975_table_2", "chuang_1975_table_a1"
 GAUGE_EVENTS, SAMPLE_RATIOS, CONFLICTS = (
@@ -153,3 +154,22 @@ def peak_ratios(area: str, own_gauges: bool = True, **chosen: str) -> np.ndarray
 def contradictions(**chosen: str) -> list[dict[str, str]]:
     """Rows of the tables that contradict themselves or were repaired by a guess, as data."""
     return chosen_rows(CONFLICTS, **chosen)
+
+
+def chuang_case(
+    name: str, title: str, known: float, computed, tolerance: float, unit: str = "-", **more
+) -> Case:
+    """Return a case whose id begins with chuang-, of the report's table 2 unless said otherwise."""
+    return Case(
+        **{
+            "id": f"chuang-{name}",
+            "title": title,
+            "kind": "published",
+            "source": published.citation(MODEL_SLAMS),
+            "published": known,
+            "computed": computed,
+            "tolerance": tolerance,
+            "unit": unit,
+            **more,
+        }
+    )

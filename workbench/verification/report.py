@@ -6,6 +6,8 @@ from typing import Any
 
 from workbench.verification import (
     body_cases,
+    chuang_cases,
+    chuang_load_cases,
     counting_cases,
     delft_cases,
     encounter_cases,
@@ -27,6 +29,8 @@ from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 
 GROUPS = {
     "impact pressure": impact_cases,
+    "slams of cross structures": chuang_cases,
+    "gauges and design load": chuang_load_cases,
     "water entry of sections": entry_cases,
     "seas and statistics": sea_cases,
     "counting": counting_cases,
