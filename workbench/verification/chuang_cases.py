@@ -113,7 +113,7 @@ def closing_identity() -> float:
     """Vertical closing velocity at the impact instants over w sqrt(r^2 - c^2), less 1: largest over a deck."""
     motion = RegularMotion(
         wave=RegularWave(amplitude=1.2, period=7.0, speed=8.0),
-        heave_amplitude=1.1, heave_lead=-2.2, pitch_amplitude=0.07, pitch_lead=1.3,
+        heave_amplitude=1.1, heave_lead=-1.6, pitch_amplitude=0.07, pitch_lead=-2.4,
     )  # fmt: skip
     lever, clearance = np.linspace(10.0, 25.0, 9), 0.5
     state = motion.at(motion.impact_instant(lever, clearance), lever)
