@@ -84,7 +84,8 @@ def test_tables_of_reduction_are_checked(areas, shares, words):
 
 
 @pytest.mark.parametrize(
-    "given", [{"aft_pressure": 60 * PSI}, {"forward_station": 15.0}, {"aft_station": 21.0}, {"forward_pressure": 0}]
+    "given",
+    [{"aft_pressure": 60 * PSI}, {"forward_station": 15.0}, {"aft_station": 21.0}, {"forward_pressure": 0}],
 )
 def test_lines_are_checked(given):
     with pytest.raises(InputError):
@@ -130,7 +131,10 @@ def test_clamped_beam():
 
 def test_grillage_with_beams_one_way_is_simple_beams():
     """Where the cross beams are feeble, each girder bears its own strip as a simply supported beam."""
-    along, feeble = Beams(spacing=0.6, inertia=1e-5, modulus=1e-4), Beams(spacing=0.6, inertia=1e-11, modulus=1e-8)
+    along, feeble = (
+        Beams(spacing=0.6, inertia=1e-5, modulus=1e-4),
+        Beams(spacing=0.6, inertia=1e-11, modulus=1e-8),
+    )
     found = quasi_static.grillage(1e4, 6.0, 60.0, along, feeble, terms=301)
     load = 1e4 * 0.6
     assert found.deflection == pytest.approx(5 * load * 6**4 / 384 / 206e9 / 1e-5, rel=5e-3)

@@ -121,7 +121,9 @@ def test_prediction_over_a_deck_is_method_one_at_its_points():
     known = chuang.method_one(*state, 1025.0)
     assert float(found.peak_pressure.isel(point)) == pytest.approx(float(known.total_pressure))
     assert float(found.attitude.isel(point)) == pytest.approx(float(state.pitch))
-    assert np.ptp(found.peak_pressure.values, axis=1)[np.isfinite(found.peak_pressure.values[:, 0])].max() == 0
+    assert (
+        np.ptp(found.peak_pressure.values, axis=1)[np.isfinite(found.peak_pressure.values[:, 0])].max() == 0
+    )
     assert np.isnan(found.peak_pressure.values).any()
     assert "milliseconds" in found.attrs["warnings"]
     assert "slopes across" not in found.attrs["warnings"]
@@ -164,7 +166,11 @@ def usual_slam():
     """Bow fully down while heave velocity is largest downward, just as the water arrives."""
     turn = WAVE.encounter_frequency * 1.0
     return RegularMotion(
-        wave=WAVE, heave_amplitude=1.2, heave_lead=np.pi / 2 - turn, pitch_amplitude=0.1, pitch_lead=np.pi - turn
+        wave=WAVE,
+        heave_amplitude=1.2,
+        heave_lead=np.pi / 2 - turn,
+        pitch_amplitude=0.1,
+        pitch_lead=np.pi - turn,
     )
 
 
@@ -185,7 +191,11 @@ def test_phase_rule(lead, out):
     """Heave alone that leads the wave at the bow by an angle."""
     lever = 20.0
     motion = RegularMotion(
-        wave=WAVE, heave_amplitude=1.0, heave_lead=lead + WAVE.wavenumber * lever, pitch_amplitude=0.0, pitch_lead=0.0
+        wave=WAVE,
+        heave_amplitude=1.0,
+        heave_lead=lead + WAVE.wavenumber * lever,
+        pitch_amplitude=0.0,
+        pitch_lead=0.0,
     )
     found = slam_timing(motion, lever, 1.5)
     assert found.bow_phase == pytest.approx(lead)

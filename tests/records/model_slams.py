@@ -8,7 +8,9 @@ from workbench.impact.regular_wave import RegularWave
 from workbench.records.reading import record
 
 WAVE = RegularWave(amplitude=0.09, period=1.71, speed=1.0)
-MOTION = RegularMotion(wave=WAVE, heave_amplitude=0.08, heave_lead=-1.6, pitch_amplitude=0.12, pitch_lead=-2.6)
+MOTION = RegularMotion(
+    wave=WAVE, heave_amplitude=0.08, heave_lead=-1.6, pitch_amplitude=0.12, pitch_lead=-2.6
+)
 LEVER, CLEARANCE, PROBE = 1.3, 0.12, 0.9
 """Gauge forward of the centre of gravity, clearance of the deck and probe ahead of the gauge [m]."""
 

@@ -53,7 +53,9 @@ def test_averages_are_of_one_instant():
         largest = float(found.largest_average.sel(gauge_area=area))
         assert 0.7 * area_average(own_maxima, area) < largest < area_average(own_maxima, area)
     averages = area_averages(slam).average_pressure
-    assert float(averages.max("time").sel(gauge_area="II")) == float(found.largest_average.sel(gauge_area="II"))
+    assert float(averages.max("time").sel(gauge_area="II")) == float(
+        found.largest_average.sel(gauge_area="II")
+    )
     ratio = float(found.peak_over_average.sel(gauge_area="V"))
     assert ratio == pytest.approx(own_maxima["P2"] / float(found.largest_average.sel(gauge_area="V")))
 

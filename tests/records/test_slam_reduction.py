@@ -63,7 +63,9 @@ def test_slams_near_the_ends_are_left_out():
 
 
 def test_no_slam_is_an_empty_table():
-    high = ReductionSettings(lever=1.0, probe_distance=0.5, closing_speed=3.0, window=0.01, least_pressure=1e9)
+    high = ReductionSettings(
+        lever=1.0, probe_distance=0.5, closing_speed=3.0, window=0.01, least_pressure=1e9
+    )
     assert reduced_slams(slam_record(), high, CHANNELS).sizes["event"] == 0
 
 
