@@ -22,7 +22,8 @@ PRESSURES = {"P1": 8.0, "P2": 4.0, "P3": 2.0, "P6": 1.0, "P7": 3.0, "P8": 6.0, "
 
 @pytest.mark.parametrize(
     ("area", "known"),
-    [("I", (8 + 4 + 2 + 6 + 0 + 2) / 6), ("II", (8 + 4 + 2 + 2) / 4), ("III", 7.0), ("IV", (8 + 6 + 4 + 2) / 4), ("V", 3.0)],
+    [("I", (8 + 4 + 2 + 6 + 0 + 2) / 6), ("II", (8 + 4 + 2 + 2) / 4), ("III", 7.0), ("IV", (8 + 6 + 4 + 2) / 4),
+     ("V", 3.0)],
 )  # fmt: skip
 def test_five_averages(area, known):
     assert area_average(PRESSURES, area) == pytest.approx(known)

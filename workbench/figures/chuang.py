@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.ticker import MultipleLocator
 
 from workbench.errors import InputError
 from workbench.figures import style
@@ -152,6 +153,7 @@ def design_load_figure(load: xr.Dataset) -> Figure:
         along, across = figure.subplots(1, 2, width_ratios=(2, 1))
         along.plot(load.station, load.attrs["area_share"] * load.design_line / KILO, color=style.ACCENT)
         along.invert_xaxis()
+        along.xaxis.set_major_locator(MultipleLocator(2))
         along.set_ylim(bottom=0)
         along.set_xlabel("station (0 fore perpendicular)")
         along.set_ylabel("on the centreline [kPa]")

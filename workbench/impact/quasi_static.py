@@ -1,12 +1,10 @@
 """A design pressure on plate, stiffener and grillage, applied as if it were steady.
 
-Bending of small deflections in the elastic range. The load is quasi-static where
-its pulse is long against the natural period of the member: `dynamic_factor` says how far
-it is not.
+Bending of small deflections in the elastic range. The load is quasi-static where its
+pulse is long against the natural period of the member: see `workbench.impact.pulse_response`.
 
 .. [Timoshenko1959] S. Timoshenko and S. Woinowsky-Krieger, "Theory of plates and shells",
     2nd ed., McGraw-Hill, 1959, sections 2, 28, 44 and table 35.
-.. [Biggs1964] J. M. Biggs, "Introduction to structural dynamics", McGraw-Hill, 1964.
 """
 
 from dataclasses import dataclass
@@ -15,17 +13,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import polynomial
 
-from workbench.conventions import SEAWATER_DENSITY
 from workbench.errors import checked_number
 
 RITZ_TERMS = 7
 """Even powers in each direction for the clamped rectangle; five significant digits of the edge moment."""
-
-STRIP_ADDED_MASS = 0.1616030 / 0.39648
-"""Added mass of the first clamped mode over rho times width: water on one side of a long strip [-]."""
-
-CLAMPED_FREQUENCY = 22.3733
-"""Square of the first eigenvalue of a clamped beam [-]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,17 +25,19 @@ class Material:
 
     Parameters
     ----------
-    young : modulus [Pa]; poisson : ratio [-]; density : [kg/m3].
+    young : modulus [Pa]; poisson : ratio [-]; density : [kg/m3]; yield_stress : [Pa].
     """
 
     young: float = 206e9
     poisson: float = 0.3
     density: float = 7850.0
+    yield_stress: float = 235e6
 
     def __post_init__(self):
         checked_number("Young's modulus", self.young, "Pa", above=0)
         checked_number("Poisson's ratio", self.poisson, at_least=0, below=0.5)
         checked_number("density of the material", self.density, "kg/m3", above=0)
+        checked_number("yield stress", self.yield_stress, "Pa", above=0)
 
     def plate_rigidity(self, thickness: float) -> float:
         """E t^3/(12 (1 - nu^2)) [N m]."""
@@ -68,7 +61,7 @@ def clamped_strip(
     pressure : [Pa]; width : between the stiffeners; thickness : [m].
     """
     material = material or Material()
-    _check_plate(width, thickness)
+    checked_plate(width, thickness)
     deflection = pressure * width**4 / (384 * material.plate_rigidity(thickness))
     return Bending(pressure * width**2 / (2 * thickness**2), deflection)
 
@@ -132,7 +125,7 @@ def clamped_rectangle(
     pressure : [Pa]; short, long : sides; thickness : [m].
     """
     material = material or Material()
-    _check_plate(short, thickness)
+    checked_plate(short, thickness)
     if long > 5 * short:
         return clamped_strip(pressure, short, thickness, material)
     found = clamped_rectangle_coefficients(long / short, material.poisson)
@@ -232,58 +225,8 @@ def _orthotropic(pressure, length, breadth, rigid_x, rigid_y, twist, along, acro
     )
 
 
-def strip_natural_period(
-    width: float, thickness: float, material: Material | None = None, water_density: float = SEAWATER_DENSITY
-) -> float:
-    """Natural period of a long clamped plate with water on one side; without with ``water_density`` 0 [s]."""
-    material = material or Material()
-    _check_plate(width, thickness)
-    mass = material.density * thickness + STRIP_ADDED_MASS * water_density * width
-    omega = CLAMPED_FREQUENCY / width**2 * np.sqrt(material.plate_rigidity(thickness) / mass)
-    return float(2 * np.pi / omega)
-
-
-def dynamic_factor(duration: float, natural_period: float) -> float:
-    """Largest response to a half-sine pulse over its static response [-] ([Biggs1964]_).
-
-    Parameters
-    ----------
-    duration : of the pulse; natural_period : of the member [s].
-
-    Notes
-    -----
-    Undamped, one degree of freedom. Tends to 1 for long pulses: 1.1 needs about five
-    natural periods; largest 1.77 at 0.8; below a half natural period it falls with the duration.
-    """
-    ratio = checked_number("duration of the pulse", duration, "s", above=0) / checked_number(
-        "natural period", natural_period, "s", above=0
-    )
-    if abs(ratio - 0.5) < 1e-4:
-        return np.pi / 2
-    time = np.linspace(0, 1, 4001)
-    lag = 1 / (2 * ratio)
-    during = (np.sin(np.pi * time) - lag * np.sin(2 * np.pi * ratio * time)) / (1 - lag**2)
-    after = abs(2 * lag / (1 - lag**2) * np.cos(np.pi * ratio))
-    return float(max(np.abs(during).max(), after))
-
-
-def quasi_static_notes(
-    duration: float, natural_period: float, largest_factor: float = 1.1
-) -> tuple[str, ...]:
-    """Sentences on the limits of a quasi-static load, with a warning where the pulse is too short."""
-    factor = dynamic_factor(duration, natural_period)
-    notes = [
-        "Local loads only, small elastic deflections, quasi-static; fatigue and permanent set are not in it."
-    ]
-    if abs(factor - 1) > largest_factor - 1:
-        notes.append(
-            f"The pulse of {1e3 * duration:.3g} ms is short against the natural period of {1e3 * natural_period:.3g} "
-            f"ms: the response is {factor:.2f} times the static one."
-        )
-    return tuple(notes)
-
-
-def _check_plate(width: float, thickness: float) -> None:
+def checked_plate(width: float, thickness: float) -> None:
+    """Refuse a plate whose width or thickness [m] makes it none."""
     checked_number("width of the plate", width, "m", above=0)
     checked_number(
         "thickness of the plate", thickness, "m", above=0, at_most=width / 5, cure="a thicker one is no plate"
