@@ -12,7 +12,7 @@ from workbench.impact import chuang
 from workbench.impact.design_load import design_load
 from workbench.records.gauge_averages import area_averages
 from workbench.records.reading import record
-from workbench.verification.chuang_tables import model_slams, ship_slams
+from workbench.verification.chuang_tables import model_slams, ship_mean_slams, ship_slams
 
 RIGID, ELASTIC = model_slams(model="rigid"), model_slams(model="elastic")
 
@@ -30,7 +30,13 @@ def test_k_against_impact_angle():
 
 
 def test_k_of_the_ship():
-    figure = figures.coefficient_figure({"case I": ship_slams(case="I")}, largest_angle=np.radians(10))
+    means = ship_mean_slams()
+    figure = figures.coefficient_figure(
+        {"mean": means, "I": ship_slams(case="I")}, largest_angle=np.radians(10)
+    )
+    shown = figure.axes[0].lines[2]
+    assert shown.get_ydata() == pytest.approx(means.recorded_constant.values)
+    assert len(shown.get_xdata()) == 12
     assert figure.axes[0].get_xlim() == pytest.approx((0, 10))
     assert picture(figure)[:4] == b"\x89PNG"
 

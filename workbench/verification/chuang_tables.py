@@ -79,6 +79,17 @@ def ship_means() -> dict[str, tuple[float, float]]:
     return found
 
 
+def ship_mean_slams() -> xr.Dataset:
+    """Mean k of the twelve slams of USNS HAYES over their impact angles (event), figure A.1 of the report."""
+    angle, constant = np.array(list(ship_means().values())).T
+    return quantities.dataset(
+        {"event": np.arange(len(angle))},
+        method="mean of the cases",
+        impact_angle=("event", angle),
+        recorded_constant=("event", constant),
+    )
+
+
 def slam_agreement(slams: xr.Dataset) -> Agreement:
     """Recorded against calculated pressures of slams from `model_slams` or `ship_slams` [Pa]."""
     return agreement(slams.recorded_pressure.values, slams.peak_pressure.values)
