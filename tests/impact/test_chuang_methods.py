@@ -54,6 +54,16 @@ def test_method_one_in_the_state_of_the_worked_example():
     assert found.total_pressure / PSI == pytest.approx(2.808, abs=2e-3)
 
 
+def test_method_two_in_the_worked_example():
+    """Equations 8 and 9 by hand, bow 8 degrees down where the slope is largest."""
+    found = method_two(MODEL, 0.0, 1.8 * FOOT, FOOT, np.radians(-8), 1.94 * SLUG)
+    assert np.degrees(found.impact_angle) == pytest.approx(15.2128, abs=1e-3)
+    assert found.normal_velocity / FOOT == pytest.approx(3.3739, abs=1e-4)
+    assert found.tangential_velocity / FOOT == pytest.approx(-0.7465, abs=1e-4)
+    assert found.impact_pressure / PSI == pytest.approx(1.781, abs=1e-3)
+    assert found.planing_pressure / PSI == pytest.approx(0.0038, abs=1e-4)
+
+
 def test_orbit_is_the_motion_of_the_particles_resolved_on_their_surface():
     phase, step = np.linspace(0, 2 * np.pi, 13), 1e-6
     water = orbit(MODEL, phase)

@@ -69,6 +69,9 @@ def test_matched_slams_of_two_bottoms():
     assert found.probability < 1e-3
     wide = matched_comparison(first, second, np.radians(1.1))
     assert wide.pairs == 9 + 2 * 8
+    k = first.recorded_constant.values
+    means = [k[max(number - 1, 0) : number + 2].mean() for number in range(9)]
+    assert wide.median_ratio == pytest.approx(np.median(second.recorded_constant.values / means))
     apart = second.assign(impact_angle=second.impact_angle + 0.5)
     with pytest.raises(InputError, match="widen the band"):
         matched_comparison(first, apart)
