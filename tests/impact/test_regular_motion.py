@@ -186,7 +186,9 @@ def test_usual_slam_is_recognised():
     assert any("usual slam" in note for note in found.notes)
 
 
-@pytest.mark.parametrize(("lead", "out"), [(0.3, False), (1.3, False), (1.7, True), (-2.5, True), (3.1, True)])
+@pytest.mark.parametrize(
+    ("lead", "out"), [(0.3, False), (1.3, False), (1.7, True), (-2.5, True), (3.1, True)]
+)
 def test_phase_rule(lead, out):
     """Heave alone that leads the wave at the bow by an angle."""
     lever = 20.0
