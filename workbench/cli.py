@@ -172,6 +172,7 @@ application.command("show")(design_commands.show)
 application.command("simulate")(simulate_command.simulate)
 application.command("records")(record_commands.records)
 application.command("cross-structure")(cross_structure_command.slam)
+application.command("slam-record")(cross_structure_command.slam_record)
 for command in (*slam_command.COMMANDS, *tool_commands.COMMANDS, *entry_command.COMMANDS):
     application.command(command.__name__.removeprefix("open_"))(command)
 

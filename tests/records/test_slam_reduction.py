@@ -1,9 +1,13 @@
 """Slams read from a record of known motions."""
 
+import json
+
 import numpy as np
 import pytest
 from model_slams import CLEARANCE, LEVER, MOTION, PERIOD, PROBE, WAVE, instants, slam_record
+from typer.testing import CliRunner
 
+from workbench import cli
 from workbench.errors import InputError
 from workbench.impact.slam_table import predicted_slams
 from workbench.records.slam_reduction import (
@@ -98,3 +102,49 @@ def test_settings_are_checked(given):
 
 def test_encounters_are_those_of_the_wave():
     assert np.diff(instants(3)) == pytest.approx(PERIOD)
+
+
+def test_command_reads_a_file(tmp_path):
+    """The same k by way of a CSV file with the units of the laboratory."""
+    trial, path = slam_record(), tmp_path / "run.csv"
+    values = np.column_stack([trial.time.values, trial.measured.values[:, :4]])
+    values[:, 4] /= 1e3
+    np.savetxt(
+        path,
+        values,
+        delimiter=",",
+        comments="",
+        fmt="%.7f",
+        header="time [s],pitch [deg],heave [m],wave [m],P1 [kPa]",
+    )
+    words = [
+        "slam-record",
+        path,
+        "--pressure",
+        "P1",
+        "--bow-down",
+        "--lever",
+        LEVER,
+        "--probe-distance",
+        PROBE,
+    ]
+    words += [
+        "--wave-period",
+        1.71,
+        "--speed-knots",
+        1 * 3600 / 1852,
+        "--least-pressure",
+        5,
+        "--density",
+        1000,
+    ]
+    values = json.loads(CliRunner().invoke(cli.application, [*map(str, words), "--json"]).stdout)
+    known = predicted_slams(reduced_slams(trial, SETTINGS, CHANNELS), 1000.0)
+    assert values["slams"] == 3
+    assert values["columns"]["k recorded [1]"] == pytest.approx(known.recorded_constant.values, rel=1e-3)
+    assert values["columns"]["impact angle [deg]"] == pytest.approx(np.degrees(known.impact_angle), rel=1e-3)
+    assert values["columns"]["recorded [kPa]"] == pytest.approx(known.recorded_pressure.values / 1e3)
+    text = CliRunner().invoke(cli.application, list(map(str, words))).stdout
+    assert len(text.splitlines()) == 4
+    none = CliRunner().invoke(cli.application, [*map(str, words), "--least-pressure", "1000"]).stdout
+    assert none.strip() == "No slam was found."
