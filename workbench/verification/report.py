@@ -8,6 +8,8 @@ from workbench.verification import (
     amin_cases,
     baggus_cases,
     body_cases,
+    chuang_cases,
+    chuang_load_cases,
     counting_cases,
     delft_cases,
     encounter_cases,
@@ -31,6 +33,8 @@ from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 
 GROUPS = {
     "impact pressure": impact_cases,
+    "slams of cross structures": chuang_cases,
+    "gauges and design load": chuang_load_cases,
     "water entry of sections": entry_cases,
     "pressure over the wet deck": wet_deck_cases,
     "seas and statistics": sea_cases,
