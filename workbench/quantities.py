@@ -218,6 +218,12 @@ TABLE: dict[str, Quantity] = {
     "peak_coefficient": Quantity("1", "peak pressure over dynamic pressure", "$k$"),
     "peak_height": Quantity("m", "height of the peak pressure above calm water", "$z_{max}$"),
     "jet_height": Quantity("m", "height of the jet tip above calm water", "$z_{jet}$"),
+    # wedges that enter the water, theory by theory
+    "entry_theory": Quantity("1", "theory of water entry", ""),
+    "deadrise_angle": Quantity("rad", "deadrise of the wedge", r"$\beta$"),
+    "force_coefficient": Quantity("1", "force over rho V**3 t", "$C_F$"),
+    "peak_height_ratio": Quantity("1", "height of the peak pressure over penetration", r"$z_{max}/h$"),
+    "wetted_rate_ratio": Quantity("1", "speed of the edge of the wetted part over velocity", r"$\dot c/V$"),
     # drawing
     "pose": Quantity("m, rad", "motion of the origin", r"$\xi_j$"),
     "hull_vertices": Quantity("m", "hull surface points", "$x$"),

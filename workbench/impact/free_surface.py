@@ -17,7 +17,7 @@ from workbench.impact.generalised_wagner import wedge_flow
 from workbench.impact.section import Section, TableSection, Wedge
 from workbench.impact.similarity import similarity_solution
 
-POINTS = 81
+POINTS = 121
 """Number of points of a free surface."""
 
 NODES = 48
