@@ -27,7 +27,7 @@ THEORIES = {
 ON_REQUEST = ("nonlinear",)
 """Theories that take up to a minute and are computed when they are asked for."""
 
-INSTANTS = 40
+INSTANTS = 32
 SHALLOW = 0.05
 """Penetration over the radius of a parabola or circle where none is given."""
 

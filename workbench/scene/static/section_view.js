@@ -335,7 +335,7 @@ function render({ model, el }) {
 
     // axis of y and wetted breadths
     plain(c, SOFT);
-    for (const [value, label] of ticks(from, to, Math.max(3, plot / 85))) {
+    for (const [value, label] of ticks(from, to, Math.max(4, plot / 70))) {
       stroke(c, () => X(value), (k) => [bottom, bottom + 4][k], 2);
       text(c, label, X(value), bottom + 12, "center");
     }
