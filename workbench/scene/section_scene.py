@@ -56,7 +56,7 @@ def section_scene(
         facts = {
             "name": name,
             "label": words,
-            **THEORY_LINES[name]._asdict(),
+            **_line(name),
             "on_request": name in ON_REQUEST,
         }
         if name in compared.found:
@@ -78,6 +78,12 @@ def section_scene(
     }  # fmt: skip
     block = np.concatenate(blocks).astype("<f4") if blocks else np.empty(0, "<f4")
     return facts, block.tobytes()
+
+
+def _line(method: str) -> dict[str, Any]:
+    """Return colour, dash and width of a theory's line."""
+    colour, dash, width = THEORY_LINES[method]
+    return {"colour": colour, "dash": list(dash), "width": width}
 
 
 def section_words(section: Section) -> str:
