@@ -142,13 +142,13 @@ def test_entry_in_a_process_of_its_own_answers_refuses_and_ends():
     work._entry(SimpleNamespace(send=answers.append), case, "similarity")
     assert "wedges only" in answers[0]
 
-    class Unwanted(Exception):
+    class UnwantedError(Exception):
         pass
 
     def unwanted(*_):
-        raise Unwanted
+        raise UnwantedError
 
-    with pytest.raises(Unwanted):
+    with pytest.raises(UnwantedError):
         work.entry_by(case, "generalised-wagner")(unwanted)
 
 

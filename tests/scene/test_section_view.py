@@ -155,17 +155,17 @@ def widget(chromium, case, compared):
     state = json.loads(json.dumps({name: getattr(view, name) for name in names}))
     code, css = ((STATIC / f"section_view.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
     page.evaluate(MODEL, [code, css, state, base64.b64encode(view.curves).decode()])
-    page.wait_for_timeout(100)
+    page.wait_for_function("document.querySelector('.sec').dataset.drawn > 0")
     yield page
     assert complaints == []
     page.close()
 
 
 def changes_drawing(page, act) -> bool:
-    before = page.evaluate("drawing()")
+    page.evaluate("() => { window.before = drawing(); }")
     act()
-    page.wait_for_timeout(120)
-    return page.evaluate("drawing()") != before
+    page.wait_for_function("drawing() !== window.before", polling=100, timeout=10_000)
+    return True
 
 
 @pytest.mark.browser
@@ -192,8 +192,8 @@ def test_scrub_keys_and_legend_change_the_drawing(widget):
 def test_film_plays_and_stops(widget):
     widget.locator(".sec-main").focus()
     widget.keyboard.press(" ")
+    widget.wait_for_function("modelState.playing")
     widget.wait_for_timeout(700)
-    assert widget.evaluate("modelState.playing") is True
     widget.get_by_role("button", name="Pause").click()
     stopped = widget.evaluate("modelState.time")
     assert 0.05 <= stopped < 0.25
@@ -213,7 +213,7 @@ def test_table_holds_the_figures_of_the_instant(widget):
 def test_pointer_reads_the_pressure(widget):
     box = widget.locator(".sec-main").bounding_box()
     widget.mouse.move(box["x"] + 58 + (box["width"] - 72) / 2, box["y"] + 100)
-    widget.wait_for_timeout(100)
+    widget.wait_for_function("document.querySelector('.sec-tip').textContent")
     said = widget.locator(".sec-tip").inner_text()
     assert "y = " in said
     assert "Wagner 17.7 kPa" in said.replace("\n", "")
