@@ -193,10 +193,11 @@ def test_decks_own_sections():
     vees = [name for name in library.names() if (d := library.design(name).wet_deck) and d.vee_depth > 0]
     model = Model(vees[0])
     deck = model.base.wet_deck
-    section, words = section_of(inputs(section_kind="pod"), model.base, model.case())
+    section, title, words = section_of(inputs(section_kind="pod"), model.base, model.case())
     assert section == Wedge(float(np.arctan(2 * deck.vee_depth / deck.vee_width)))
-    assert "V of the pod" in words
-    section, words = section_of(inputs(section_kind="crest"), model.base, model.case())
+    assert "V of the pod" in title
+    assert "flat from y" in words
+    section, title, words = section_of(inputs(section_kind="crest"), model.base, model.case())
     sea = model.case().condition.sea_state
     wavenumber = (2 * np.pi / sea.peak_period) ** 2 / 9.80665
     assert section.radius == pytest.approx(1 / (wavenumber**2 * sea.significant_wave_height / 2))

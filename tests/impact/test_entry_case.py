@@ -64,6 +64,7 @@ def test_every_theory_answers_or_says_why():
 def test_quick_theories():
     assert is_quick(WEDGE, "generalised-wagner")
     assert not is_quick(TABLE, "generalised-wagner")
+    assert is_quick(TABLE, "similarity")
     assert not any(is_quick(WEDGE, name) for name in ("similarity", "nonlinear"))
 
 

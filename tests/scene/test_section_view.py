@@ -93,6 +93,15 @@ def test_any_section_is_drawn_as_far_as_it_goes(section):
     assert "wedges only" in refused["sentence"]
 
 
+def test_motion_is_that_of_the_entries():
+    case = EntryCase(section=Parabola(5.0), velocity=3.0, penetration=0.25, deceleration=6.0)
+    compared = compared_entries(case, ("wagner",), 4)
+    facts, _ = section_scene(case, compared)
+    found = compared.found["wagner"]
+    assert facts["motion"]["penetration"] == pytest.approx(found.penetration.values)
+    assert facts["motion"]["velocity"] == pytest.approx(found.entry_velocity.values)
+
+
 def test_scene_without_an_answer_can_be_drawn(case):
     facts, block = section_scene(case, compared_entries(case, (), 5))
     assert facts["theories"] == []

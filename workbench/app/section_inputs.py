@@ -72,10 +72,11 @@ def section_fields(design: Design) -> tuple[Input, ...]:
 
 
 class SectionInUse(NamedTuple):
-    """A section, and words on where it comes from; empty where the controls say it."""
+    """A section, a title, and words on where it comes from; empty where the controls say it."""
 
     section: Section
-    words: str
+    title: str = ""
+    words: str = ""
 
 
 def section_of(inputs: Mapping[str, Any], design: Design, case: Case | None) -> SectionInUse:
@@ -89,14 +90,14 @@ def section_of(inputs: Mapping[str, Any], design: Design, case: Case | None) -> 
     if kind == "wedge":
         limits = {"above": 0.0, "at_most": 85.0}
         angle = checked_number("deadrise", as_number(inputs["section_deadrise"]), "degrees", **limits)
-        return SectionInUse(Wedge(float(np.radians(angle))), "")
+        return SectionInUse(Wedge(float(np.radians(angle))))
     if kind in ("parabola", "circle"):
         radius = checked_number(
             "radius", as_number(inputs["section_radius"]), "m", at_least=0.01, at_most=1e4
         )
-        return SectionInUse((Parabola if kind == "parabola" else Circle)(radius), "")
+        return SectionInUse((Parabola if kind == "parabola" else Circle)(radius))
     if kind == "points":
-        return SectionInUse(TableSection(points_of(str(inputs["section_points"]))), "")
+        return SectionInUse(TableSection(points_of(str(inputs["section_points"]))))
     deck = (case.design if case else design).wet_deck
     if kind == "crest":
         return _crest(case)
@@ -110,7 +111,8 @@ def section_of(inputs: Mapping[str, Any], design: Design, case: Case | None) -> 
         f"V of the {_OWNER[kind]}: {depth:.3g} m deep, {width:.3g} m wide, {np.degrees(angle):.3g} degrees. "
         f"The deck is flat from y = {width / 2:.3g} m."
     )
-    return SectionInUse(Wedge(angle), words)
+    title = f"V of the {_OWNER[kind]}, {np.degrees(angle):.3g} degrees, enters calm water"
+    return SectionInUse(Wedge(angle), title, words)
 
 
 _OWNER = {"pod": "pod", "bow": "centre bow"}
@@ -127,9 +129,9 @@ def _crest(case: Case | None) -> SectionInUse:
     radius = float(2 * GRAVITY**2 / (omega**4 * sea.significant_wave_height))
     words = (
         f"Crest of a regular wave {sea.significant_wave_height:.3g} m high with a period of "
-        f"{sea.peak_period:.3g} s: radius {radius:.4g} m. y runs along the waves."
+        f"{sea.peak_period:.3g} s, which curves with {radius:.4g} m. y runs along the waves."
     )
-    return SectionInUse(Parabola(radius), words)
+    return SectionInUse(Parabola(radius), f"Flat deck on a wave crest of {radius:.4g} m radius", words)
 
 
 def points_of(text: str) -> tuple[tuple[float, float], ...]:
@@ -155,12 +157,14 @@ def points_of(text: str) -> tuple[tuple[float, float], ...]:
     return tuple(found)
 
 
-def entry_case(inputs: Mapping[str, Any], design: Design, case: Case | None) -> tuple[EntryCase, str]:
-    """Return the entry and words on its section; `Problems` with a sentence at a control."""
+def entry_case(
+    inputs: Mapping[str, Any], design: Design, case: Case | None
+) -> tuple[EntryCase, SectionInUse]:
+    """Return the entry and its section with words; `Problems` with a sentence at a control."""
     shape = {"wedge": "section_deadrise", "parabola": "section_radius", "circle": "section_radius",
              "points": "section_points"}  # fmt: skip
     try:
-        section, words = section_of(inputs, design, case)
+        in_use = section_of(inputs, design, case)
     except InputError as error:
         control = shape.get(inputs["section_kind"], "section_kind")
         raise Problems({control: in_words(str(error))}) from None
@@ -172,7 +176,7 @@ def entry_case(inputs: Mapping[str, Any], design: Design, case: Case | None) -> 
             if one.kind == "number"
         }
         found = EntryCase(
-            section=section,
+            section=in_use.section,
             velocity=numbers["section_velocity"],
             penetration=numbers["section_penetration"],
             deceleration=numbers["section_deceleration"],
@@ -181,7 +185,7 @@ def entry_case(inputs: Mapping[str, Any], design: Design, case: Case | None) -> 
         )
     except InputError as error:
         raise Problems({_control_named(str(error), fields): in_words(str(error))}) from None
-    return found, words
+    return found, in_use
 
 
 def _control_named(sentence: str, fields: tuple[Input, ...]) -> str:

@@ -118,10 +118,12 @@ def compared_entries(
 
 
 def is_quick(section: Section, method: str) -> bool:
-    """Whether a theory answers while a slider is dragged: within some hundredths of a second."""
+    """Whether a theory answers, or refuses, while a slider is dragged: within some hundredths of a second."""
     if method == "generalised-wagner":
         return isinstance(section, Wedge)
-    return method not in ("similarity", *ON_REQUEST)
+    if method == "similarity":
+        return not isinstance(section, Wedge)
+    return method not in ON_REQUEST
 
 
 def wedge_coefficients(

@@ -19,7 +19,6 @@ from workbench.impact.entry_case import (
     compared_entries,
     is_quick,
 )
-from workbench.scene.section_scene import section_words
 from workbench.scene.section_view import SectionView
 
 COMING = "Being computed."
@@ -43,7 +42,7 @@ class SectionPanel(Panel):
         super().__init__(model, post)
         self.solve = solve
         self.case: EntryCase | None = None
-        self._words = ""
+        self._title = ""
         self._known: dict[str, xr.Dataset | str] = {}
         self._shown: tuple = ()
 
@@ -56,7 +55,7 @@ class SectionPanel(Panel):
             values=dict(self.model.section_inputs),
         )
         self.button = widgets.Button(
-            description="Compute the non-linear flow", tooltip="Compute the non-linear flow, up to a minute"
+            description="Solve non-linear flow", tooltip="Solve the non-linear flow, up to a minute"
         )
         self.button.add_class("wb-data-button")
         self.button.on_click(lambda _: self._solve())
@@ -78,16 +77,16 @@ class SectionPanel(Panel):
         super().show(is_newest, is_current)
         model = self.model
         try:
-            case, words = entry_case(model.section_inputs, model.base, model.quiet_case())
+            case, in_use = entry_case(model.section_inputs, model.base, model.quiet_case())
         except Problems as error:
             self.form.problems = dict(error.sentences)
             self.view.old = True
             return
         self.form.problems = {}
-        self._words = words or f"{section_words(case.section)} enters calm water"
+        self._title = in_use.title
         if case != self.case:
             self.case, self._known = case, {}
-        self.form.notes = self._notes(case, words)
+        self.form.notes = self._notes(case, in_use.words)
         self._take_solved()
         todo = [name for name in THEORIES if name not in self._known and name not in ON_REQUEST]
         for quick in (True, False):
@@ -119,7 +118,7 @@ class SectionPanel(Panel):
             name: self._known[name] for name in THEORIES if isinstance(self._known.get(name), xr.Dataset)
         }
         refused = {name: sentence for name, sentence in self._known.items() if isinstance(sentence, str)}
-        self.view.show(self.case, ComparedEntries(found, refused), waiting, self._words)
+        self.view.show(self.case, ComparedEntries(found, refused), waiting, self._title)
         self._shown = (self.case, known)
 
     def _solve(self) -> None:

@@ -279,7 +279,7 @@ function render({ model, el }) {
         if (outer > inner) for (const side of [-1, 1]) stroke(c, (k) => X(side * along[k]), (k) => Z(heightAt(along[k]) - depth) - 4, 25);
       }
     });
-    for (const [value, label] of ticks(low, high, Math.max(2, tall / 34))) {
+    for (const [value, label] of ticks(low, high, Math.max(3, tall / 26))) {
       plain(c, SOFT);
       stroke(c, (k) => [left - 4, left][k], () => Z(value), 2);
       if (Z(value) > sectionTop + 20 && Z(value) < bottom - 3) text(c, label, left - 7, Z(value), "right");
