@@ -1,5 +1,6 @@
 // A section entering the water: pressure, water and histories by theory. Drawn on two canvases, without any library.
 const FILM = 6; // seconds that the film lasts
+const FLAT = 15; // px below which heights are drawn taller
 const REPORT = 500; // ms between reports of the time to the kernel
 const INK = "#1d2b35", SOFT = "#55666f", GRID = "#dde4e8", WATER = "#dcebf5", BODY = "#eef0f1";
 const FONT = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
@@ -180,16 +181,18 @@ function render({ model, el }) {
     c.restore();
   }
 
-  // Frame of the whole section, the same over the film; equal scales in y and z.
+  // Frame of the whole section, the same over the film; equal scales in y and z but for what is all but flat.
   function whole(plot, most) {
     let reach = scene.reach, scale = plot / (2 * reach);
     if ((scene.high - scene.low) * scale > most) {
       scale = most / (scene.high - scene.low);
       reach = plot / (2 * scale);
     }
-    const tall = Math.max((scene.high - scene.low) * scale, Math.min(120, most));
-    const spare = tall - (scene.high - scene.low) * scale;
-    return { scale, tall, from: -reach, to: reach, low: scene.low - (0.4 * spare) / scale, high: scene.high + (0.6 * spare) / scale };
+    const flat = (scene.high - scene.low) * scale;
+    const taller = flat < FLAT ? [50, 20, 10, 5, 2].find((factor) => flat * factor <= 100) ?? 1 : 1;
+    const tall = Math.max(flat * taller, Math.min(120, most));
+    const spare = (tall - flat * taller) / (scale * taller);
+    return { scale, taller, tall, from: -reach, to: reach, low: scene.low - 0.4 * spare, high: scene.high + 0.6 * spare };
   }
 
   // Frame about the edge of the wetted part, which it follows.
@@ -198,7 +201,7 @@ function render({ model, el }) {
       .map((name) => shown.find((one) => one.name === name)).map((one) => one && history(one, "half_breadth")).find(isNumber) ?? scene.reach / 2;
     const scale = plot / (0.5 * root), tall = most;
     const middle = (heightAt(root) ?? scene.high) - motion("penetration");
-    return { scale, tall, from: 0.8 * root, to: 1.3 * root, low: middle - (0.55 * tall) / scale, high: middle + (0.45 * tall) / scale };
+    return { scale, taller: 1, tall, from: 0.8 * root, to: 1.3 * root, low: middle - (0.55 * tall) / scale, high: middle + (0.45 * tall) / scale };
   }
 
   function paintMain() {
@@ -208,11 +211,11 @@ function render({ model, el }) {
     const plot = right - left;
     const bottom = height - 42 - 13 * Math.max(rows.length, 1);
     const most = Math.min(0.55 * height, bottom - 190);
-    const { scale, from, to, low, high, tall } = close ? nearRoot(plot, most, shown) : whole(plot, most);
+    const { scale, taller, from, to, low, high, tall } = close ? nearRoot(plot, most, shown) : whole(plot, most);
     const reach = Math.max(Math.abs(from), Math.abs(to)), far = 4 * reach;
     const sectionTop = bottom - tall, pressureTop = 24, pressureBottom = sectionTop - 14;
     const X = (y) => left + (y - from) * scale;
-    const Z = (z) => bottom - (z - low) * scale;
+    const Z = (z) => bottom - (z - low) * scale * taller;
     const top = (scene.tops.pressure || 1) / 1e3;
     const P = (kPa) => pressureBottom - (kPa / top) * (pressureBottom - pressureTop);
     mapping = { left, right, from, scale };
@@ -286,6 +289,7 @@ function render({ model, el }) {
     }
     text(c, "z [m]", left - 7, sectionTop + 8, "right", INK);
     if (Z(0) > sectionTop && Z(0) < bottom - 16) text(c, "calm water", right - 4, Z(0) + 9, "right", SOFT);
+    if (taller > 1) text(c, `heights drawn ${taller} times taller`, left + 6, bottom - 9, "left", INK);
     plain(c, SOFT);
     c.strokeRect(left, sectionTop, plot, tall);
     stroke(c, () => left, (k) => [pressureTop - 4, pressureBottom][k], 2);
