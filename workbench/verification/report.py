@@ -11,6 +11,7 @@ from workbench.verification import (
     encounter_cases,
     entry_cases,
     feature_table,
+    free_surface_cases,
     high_speed_cases,
     impact_cases,
     model_cases,
@@ -28,6 +29,7 @@ from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 GROUPS = {
     "impact pressure": impact_cases,
     "water entry of sections": entry_cases,
+    "water beside an entering section": free_surface_cases,
     "seas and statistics": sea_cases,
     "counting": counting_cases,
     "encounter, sea areas and limits": encounter_cases,
