@@ -116,3 +116,5 @@ def test_theories_without_a_surface_give_none_and_a_given_surface_is_taken():
         surface_height=(("time", "surface_point"), [[0.3, 0.1]]),
     )
     assert free_surface(circle, given, 3.0).height.tolist() == [[0.3, 0.1]]
+    inwards = given.isel(surface_point=slice(None, None, -1))
+    assert free_surface(circle, inwards, 3.0).height.tolist() == [[0.3, 0.1]]

@@ -124,7 +124,9 @@ def free_surface(section: Section, found: xr.Dataset, reach: float) -> FreeSurfa
     generalised Wagner model has one here for the wedge.
     """
     if "surface_position" in found:
-        return FreeSurface(found["surface_position"].values, found["surface_height"].values)
+        given = FreeSurface(found["surface_position"].values, found["surface_height"].values)
+        inwards = given.position[-1, 0] > given.position[-1, -1]
+        return FreeSurface(*(values[:, ::-1] for values in given)) if inwards else given
     method = found.attrs["method"]
     breadth, depth = found["wetted_half_breadth"].values, found["penetration"].values
     if method == "similarity":
