@@ -55,7 +55,9 @@ def entry_pressure_figure(
         if not peaks:
             peaks = [4 * float(one.section_pressure[0]) for one in at.values()]
         axes.set_ylim(0, ABOVE_PEAK * max(peaks) / 1e3)
-        wetted = [float(one.wetted_half_breadth) for one in at.values() if np.isfinite(one.wetted_half_breadth)]
+        wetted = [
+            float(one.wetted_half_breadth) for one in at.values() if np.isfinite(one.wetted_half_breadth)
+        ]
         axes.set_xlim(0, 1.3 * max([*wetted, panel[1] / 1.2 if panel else 0.0]))
         if panel is not None:
             axes.axvspan(*panel, color="#f0a30a", alpha=0.13, linewidth=0)
