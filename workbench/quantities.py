@@ -309,6 +309,12 @@ TABLE: dict[str, Quantity] = {
     "design_pressure": Quantity("Pa", "design pressure, quasi-static", "$p_d$"),
     "design_line": Quantity("Pa", "design pressure on the centreline", "$p_0$"),
     "station": Quantity("1", "station from the fore perpendicular, 20 in the length", "$s$"),
+    # wedges that enter the water, theory by theory
+    "entry_theory": Quantity("1", "theory of water entry", ""),
+    "deadrise_angle": Quantity("rad", "deadrise of the wedge", r"$\beta$"),
+    "force_coefficient": Quantity("1", "force over rho V**3 t", "$C_F$"),
+    "peak_height_ratio": Quantity("1", "height of the peak pressure over penetration", r"$z_{max}/h$"),
+    "wetted_rate_ratio": Quantity("1", "speed of the edge of the wetted part over velocity", r"$\dot c/V$"),
     # drawing
     "pose": Quantity("m, rad", "motion of the origin", r"$\xi_j$"),
     "hull_vertices": Quantity("m", "hull surface points", "$x$"),

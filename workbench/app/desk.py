@@ -20,10 +20,14 @@ from workbench.app.job import Job
 from workbench.app.model import Compared, Findings, Model
 from workbench.app.reading import control_named, in_words
 from workbench.errors import InputError
+from workbench.impact.entry_case import EntryCase
 
 HULL_DELAY, COUNT_DELAY, REST_DELAY = 0.35, 0.8, 1.5
 """Pause after the last change before a new hull is solved, before slams are counted, and before the headings
 that the sea does not need [s]."""
+
+MOST_ENTRIES = 8
+"""Water entries by slow theories that are remembered."""
 
 
 class Desk(traitlets.HasTraits):
@@ -32,7 +36,7 @@ class Desk(traitlets.HasTraits):
     Attributes
     ----------
     hull_job : hydrodynamics and motions; rest_job : those of the other headings; count_job : counted slams and
-    the scene; compare_job : theories laid over each other.
+    the scene; compare_job : theories laid over each other; section_job : a water entry by a slow theory.
     is_current : whether the findings belong to the present inputs.
     error : a sentence on what went wrong unexpectedly.
     """
@@ -44,7 +48,7 @@ class Desk(traitlets.HasTraits):
         super().__init__()
         self.model = model
         self.hull_job, self.rest_job, self.count_job = Job("hull"), Job("headings"), Job("count")
-        self.compare_job = Job("theories")
+        self.compare_job, self.section_job = Job("theories"), Job("section")
         self.needs_counts = self.needs_scene = False
         self._show = show
         self._ship = None
@@ -61,7 +65,7 @@ class Desk(traitlets.HasTraits):
     @property
     def jobs(self) -> tuple[Job, ...]:
         """All jobs, the most urgent first."""
-        return self.hull_job, self.compare_job, self.count_job, self.rest_job
+        return self.hull_job, self.compare_job, self.section_job, self.count_job, self.rest_job
 
     def post(self, *_: object) -> None:
         """Say that something changed; returns at once."""
@@ -112,6 +116,17 @@ class Desk(traitlets.HasTraits):
 
         task = work.comparison(case, with_panels)
         self.compare_job.start((key, with_panels), task, done)
+
+    def solve_entry(self, case: EntryCase, method: str) -> None:
+        """Ask for a water entry by a theory that takes long."""
+        key = (case, method)
+
+        def done(found) -> None:
+            kept = list(self.model.solved_entries.items())[-MOST_ENTRIES + 1 :]
+            self.model.solved_entries = dict([*kept, (key, found)])
+            self.post()
+
+        self.section_job.start(key, work.entry_by(case, method), done)
 
     def _run(self) -> None:
         while True:

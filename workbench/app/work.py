@@ -1,6 +1,9 @@
 """The work of a page: what the desk has done, here or in a job. Imports what is heavy only when it is done."""
 
+import time
 from collections.abc import Callable
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
 
 import numpy as np
 import xarray as xr
@@ -8,9 +11,13 @@ import xarray as xr
 from workbench.app.case import Case
 from workbench.app.job import Progress, Work
 from workbench.app.model import Counted, Findings, Model
+from workbench.errors import InputError
+from workbench.impact.entry_case import EntryCase
 
 WORKERS = 2
 CURVE_POINTS = 81
+POLL = 0.1
+"""Pause between two looks at a process [s]."""
 
 
 def ship(case: Case, lone_heading: float | None) -> Work:
@@ -49,6 +56,42 @@ def comparison(case: Case, with_panels: bool) -> Work:
         return found, measured
 
     return task
+
+
+def entry_by(case: EntryCase, method: str) -> Work:
+    """Work that gives a water entry by a slow theory, or the sentence why it is refused.
+
+    A process of its own marches it, and ends when the work is no longer wanted.
+    """
+
+    def task(progress: Progress) -> xr.Dataset | str:
+        context = get_context("forkserver")
+        ours, theirs = context.Pipe(duplex=False)
+        process = context.Process(target=_entry, args=(theirs, case, method), daemon=True)
+        process.start()
+        theirs.close()
+        start = time.monotonic()
+        try:
+            while not ours.poll(POLL):
+                progress(0.0, f"{time.monotonic() - start:.0f} s so far, up to a minute")
+            return ours.recv()
+        except EOFError:
+            return "The calculation ended without an answer; choose a smaller penetration or another theory."
+        finally:
+            process.terminate()
+            process.join()
+            ours.close()
+
+    return task
+
+
+def _entry(answer: Connection, case: EntryCase, method: str) -> None:
+    """Send an entry, or the sentence why it is refused."""
+    try:
+        found: xr.Dataset | str = case.by(method)
+    except InputError as error:
+        found = str(error)
+    answer.send(found)
 
 
 def deck_response(ship, case: Case) -> xr.Dataset:
