@@ -14,6 +14,7 @@ import typer
 
 from workbench import (
     __version__,
+    conditions_command,
     design_commands,
     designs,
     entry_command,
@@ -261,7 +262,7 @@ application.command("designs")(design_commands.list_designs)
 application.command("show")(design_commands.show)
 application.command("simulate")(simulate_command.simulate)
 application.command("records")(record_commands.records)
-for command in (*tool_commands.COMMANDS, *entry_command.COMMANDS):
+for command in (*tool_commands.COMMANDS, *entry_command.COMMANDS, *conditions_command.COMMANDS):
     application.command(command.__name__.removeprefix("open_"))(command)
 
 

@@ -1,7 +1,6 @@
 """Slamming of a design in all conditions of a study: motions once for each speed, then one sea after another."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import xarray as xr
@@ -14,16 +13,14 @@ from workbench.errors import InputError
 from workbench.geometry.wet_deck import wet_deck_grid
 from workbench.hydrodynamics.recommended import RecommendedSettings, TheorySettings
 from workbench.hydrodynamics.strip_settings import StripSettings
-from workbench.impact.pressure import PressureLaw
 from workbench.running_state import RunningState
 from workbench.sailing import HORIZONTAL, flies, sailing_design
 from workbench.sails import TrueWind
 from workbench.seas import Condition
 from workbench.slamming import events
 from workbench.slamming.direct_statistics import direct_statistics
-from workbench.slamming.operating_profile import OperatingProfile
 from workbench.slamming.pressure_classes import expected_classes
-from workbench.slamming.pressure_statistics import joint_exceedance, rate_band
+from workbench.slamming.pressure_statistics import rate_band
 from workbench.slamming.statistics import HOUR, response_moments, slamming_statistics
 from workbench.time_domain import Realisation, relative_amplitudes, wave_components
 
@@ -138,53 +135,6 @@ def slamming_of_conditions(
     )  # fmt: skip
 
 
-def exceedance_of_profile(
-    design: Design,
-    profile: OperatingProfile,
-    levels: np.ndarray,
-    law: PressureLaw,
-    settings: TheorySettings | None = None,
-    *,
-    threshold: float = 0.0,
-    points: tuple[int, int] = pipeline.DECK_POINTS,
-    progress: Callable[[float, str], None] = pipeline.silent,
-) -> list[xr.Dataset]:
-    """Exceedance curve of each condition of an operating profile, for `operating_profile.profile_exceedance`.
-
-    Parameters
-    ----------
-    design : with a wet deck; profile : conditions; levels : pressures, growing [Pa]; law : of the pressure.
-    settings : of the theory, None takes the recommended ones; threshold : least entry velocity [m/s].
-    points : of the deck; few of them keep long profiles in memory; progress : called with fraction and sentence.
-
-    Notes
-    -----
-    Motions are computed once for each speed.
-    """
-    curves: dict[int, xr.Dataset] = {}
-    for number, speed in enumerate(profile.speeds):
-        progress(number / len(profile.speeds), f"Motions at {speed:.1f} m/s")
-        chosen = [
-            index for index, condition in enumerate(profile.conditions) if condition.speed == speed
-        ]
-        headings = {
-            float(direction)
-            for index in chosen
-            for direction in np.atleast_1d(sea_energy.directions_for(profile.conditions[index]))
-        }
-        ship = pipeline.response(design, speed, sorted(headings), None, settings)
-        relative = pipeline.deck_response(ship, design.wet_deck, points)
-        for index in chosen:
-            slam = pipeline.slamming(
-                ship, relative, design.wet_deck, profile.conditions[index], threshold=threshold, law=law
-            )
-            curves[index] = joint_exceedance(
-                slam.moments, slam.statistics, slam.deck, levels, law, design.density
-            )
-    progress(1.0, "All conditions done")
-    return [curves[index] for index in range(len(profile.conditions))]
-
-
 def _ship(
     design: Design, study: ConditionStudy, column: int, settings: TheorySettings | None
 ) -> pipeline.Response:
@@ -222,8 +172,8 @@ def _window(deck: xr.Dataset, place: DeckPlace) -> np.ndarray:
     window = along[:, None] & (out >= place.y[0]) & (out <= place.y[1])
     if not window.any():
         raise InputError(
-            f"place {place.name} must hold a point of the deck, got none between x {place.x[0]:g} and {place.x[1]:g} m, "
-            f"y {place.y[0]:g} and {place.y[1]:g} m; widen it."
+            f"place {place.name} must hold a point of the deck, got none between x {place.x[0]:g} and "
+            f"{place.x[1]:g} m, y {place.y[0]:g} and {place.y[1]:g} m; widen it."
         )
     return window
 
@@ -256,7 +206,9 @@ def _at_worst(
     here, point, plate = found.isel(worst), moments.isel(worst), deck.isel(worst)
     crossings = slamming_statistics(point, plate.height, study.threshold, study.velocity)
     classes = expected_classes(point, crossings, plate, place.coefficient, ship.design.density, study.hours)
-    slams = float(here.slams_per_hour.item())
+    slams, of_classes = float(here.slams_per_hour.item()), float(classes.slams_per_hour)
+    if of_classes > 0:  # the cells of the joint law miss some hundredths of the slams
+        classes["class_per_hour"] = classes.class_per_hour * (slams / of_classes)
     return {
         "slams_per_hour": slams,
         "mean_entry_velocity": float(here.mean_entry_velocity.item()),

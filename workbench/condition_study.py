@@ -1,4 +1,4 @@
-"""A study over conditions as one file: headings, speeds, heights and periods, and the places of the deck that are watched.
+"""A study over conditions as one file: headings, speeds, heights and periods, and the watched places of the deck.
 
 The file is TOML::
 
@@ -68,7 +68,9 @@ class DeckPlace:
         checked_number(f"coefficient of {self.name}", self.coefficient, above=0, at_most=1e5)
         for axis, (start, end) in (("x", self.x), ("y", self.y)):
             if not start < end:
-                raise InputError(f"{axis} of {self.name} must go from less to more, got {start:g} to {end:g} m.")
+                raise InputError(
+                    f"{axis} of {self.name} must go from less to more, got {start:g} to {end:g} m."
+                )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -122,9 +124,13 @@ class ConditionStudy:
         for words in ("speeds", "wave_directions", "heights", "periods"):
             values = getattr(self, words)
             if not values or len(set(values)) < len(values):
-                raise InputError(f"{words} of the study must be different numbers, at least one, got {values}.")
+                raise InputError(
+                    f"{words} of the study must be different numbers, at least one, got {values}."
+                )
         if self.count > MOST_CONDITIONS:
-            raise InputError(f"conditions must be {MOST_CONDITIONS} at most, got {self.count}; split the study.")
+            raise InputError(
+                f"conditions must be {MOST_CONDITIONS} at most, got {self.count}; split the study."
+            )
         names = [place.name for place in self.places]
         if not names or len(set(names)) < len(names):
             raise InputError(f"places of the study must have different names, at least one, got {names}.")
@@ -227,7 +233,9 @@ def _place(given: Mapping) -> DeckPlace:
         if axis in given:
             pair = given[axis]
             if not isinstance(pair, list) or len(pair) != 2:
-                raise InputError(f"{axis} of {values['name']} must be two numbers, from and to, got {pair!r}.")
+                raise InputError(
+                    f"{axis} of {values['name']} must be two numbers, from and to, got {pair!r}."
+                )
             values[axis] = tuple(checked_number(f"{axis} of {values['name']}", one, "m") for one in pair)
     if "panel" in given:
         return DeckPlace(

@@ -114,7 +114,11 @@ def test_profile_of_a_scatter_diagram():
         "# seas\nHs,6,8\n1,30,10\n3,5,45\n6,,10\n", name="bay", period_kind="mean", source="made up"
     )
     made = profile_of_scatter(
-        diagram, {np.pi: 0.75, np.pi / 2: 0.25}, [(2.0, 18.0), (4.0, 9.0)], share_at_sea=0.5, spectrum="jonswap"
+        diagram,
+        {np.pi: 0.75, np.pi / 2: 0.25},
+        [(2.0, 18.0), (4.0, 9.0)],
+        share_at_sea=0.5,
+        spectrum="jonswap",
     )
     assert len(made.shares) == 8
     assert sum(made.shares) == pytest.approx(0.5 * 0.9)
@@ -123,7 +127,9 @@ def test_profile_of_a_scatter_diagram():
     first = made.conditions[0]
     assert (first.speed, first.wave_direction, first.sea_state.spectrum) == (18.0, np.pi, "jonswap")
     assert made.shares[0] == pytest.approx(0.5 * 0.3 * 0.75)
-    assert all(one.speed == (18.0 if one.sea_state.significant_wave_height < 2 else 9.0) for one in made.conditions)
+    assert all(
+        one.speed == (18.0 if one.sea_state.significant_wave_height < 2 else 9.0) for one in made.conditions
+    )
 
 
 def test_profile_of_a_file():

@@ -75,10 +75,14 @@ def test_slams_in_groups_widen_the_band():
     assert width[1] > 1.5 * width[0]
 
 
-@pytest.mark.parametrize(("tail", "number"), [("exponential", 8), ("generalised-pareto", 25), ("exponential", 0)])
+@pytest.mark.parametrize(
+    ("tail", "number"), [("exponential", 8), ("generalised-pareto", 25), ("exponential", 0)]
+)
 def test_too_few_slams_are_told(tail, number):
     rng = np.random.default_rng(1)
-    found = tail_extremes(rng.exponential(1e5, number), rng.uniform(0, 100.0, number), 3600.0, 10.0, tail=tail)
+    found = tail_extremes(
+        rng.exponential(1e5, number), rng.uniform(0, 100.0, number), 3600.0, 10.0, tail=tail
+    )
     assert np.isnan(float(found.most_probable_peak_pressure))
     assert "Too few slams" in found.attrs["warnings"]
     assert str(number) in found.attrs["warnings"]

@@ -42,8 +42,12 @@ def rule_pressures(
     """
     deck = design.wet_deck
     if deck is None:
-        raise InputError(f"design must have a wet deck, but {design.name} has none; choose a multihull with one.")
-    y = checked_number("y of the line along the deck", y, "m", at_least=-deck.width / 2, at_most=deck.width / 2)
+        raise InputError(
+            f"design must have a wet deck, but {design.name} has none; choose a multihull with one."
+        )
+    y = checked_number(
+        "y of the line along the deck", y, "m", at_least=-deck.width / 2, at_most=deck.width / 2
+    )
     x = np.linspace(deck.aft, deck.fore, POINTS) if x is None else np.atleast_1d(np.asarray(x, float))
     gaps = wet_deck_height(deck, x, y)
     notes = []

@@ -164,7 +164,7 @@ def _gl(given: RuleInput, station: float) -> dict:
         ahead = 0.8 if ratio < 4.5 else 0.7
         if station < ahead:
             notes.append(
-                f"At this acceleration and speed GL, as transcribed, has impact on the wet deck only forward of {ahead} L."
+                f"At this acceleration and speed GL, as transcribed, has wet-deck impact only forward of {ahead} L."
             )
     return {
         "key": "gl-hsc", "society": "Germanischer Lloyd", "rule": "High Speed Craft (UNITAS)", "edition": "2012",

@@ -104,9 +104,7 @@ def profile_of_scatter(
         for direction, part in headings.items():
             if part > 0:
                 shares.append(share_at_sea * share * part)
-                conditions.append(
-                    Condition(speed=speeds[row][1], wave_direction=direction, sea_state=sea)
-                )
+                conditions.append(Condition(speed=speeds[row][1], wave_direction=direction, sea_state=sea))
     if not shares:
         raise InputError(
             f"speeds must reach the lowest sea of the diagram, {min(diagram.heights):g} m, got {limits[-1]:g} m."

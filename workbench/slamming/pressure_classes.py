@@ -116,9 +116,7 @@ def expected_classes(
         (weight * np.sqrt(square)).sum(axis=1),
         density * coefficient / 2 * (weight * square).sum(axis=1),
         mean,
-    ).assign(
-        most_probable_peak_pressure=((), largest, quantities.attributes("most_probable_peak_pressure"))
-    )
+    ).assign(most_probable_peak_pressure=((), largest, quantities.attributes("most_probable_peak_pressure")))
 
 
 def entries_at(events: xr.Dataset, x: float, y: float) -> xr.Dataset:

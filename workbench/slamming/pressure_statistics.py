@@ -230,7 +230,7 @@ def level_exceeded(levels: np.ndarray, number: np.ndarray, per_hour: float) -> n
     lower, higher = levels[after[0] - 1], levels[after[0]]
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.log(more / per_hour) / np.log(more / fewer)
-    found = lower + np.nan_to_num(share) * (higher - lower)
+    found = lower + np.clip(np.nan_to_num(share), 0.0, 1.0) * (higher - lower)
     found = np.where(often[-1], np.nan, found)
     return np.where(often[0], found, 0.0)
 

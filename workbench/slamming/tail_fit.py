@@ -74,7 +74,9 @@ def tail_extremes(
     total = int((ranked > 0).sum())
     if count is None:
         count = int(np.clip(round(USUAL_SHARE * total), *USUAL_COUNTS))
-    count = min(int(checked_number("number of slams of the tail", count, at_least=2, at_most=2000)), max(total - 1, 0))
+    count = min(
+        int(checked_number("number of slams of the tail", count, at_least=2, at_most=2000)), max(total - 1, 0)
+    )
     attrs = {"hours": hours, "risk": risk, "tail": tail, "duration": duration}
     if count < LEAST_COUNT[tail]:
         note = (
