@@ -64,18 +64,15 @@ class RankedPressures:
         start = np.maximum.accumulate(np.where(first, before, 0.0), axis=0)
         end = np.flip(np.minimum.accumulate(np.flip(np.where(last, through, np.inf), 0), axis=0), 0)
         middle = (start + end) / 2
-        cells = len(self.pressure)
-        found = np.zeros((len(levels), *self.pressure.shape[1:]))
-        for row, level in enumerate(levels):
-            below = (self.pressure > level).sum(axis=0)[None]
-            pair = np.clip(below - 1, 0, cells - 1), np.clip(below, 0, cells - 1)
-            higher, lower = (np.take_along_axis(self.pressure, index, axis=0)[0] for index in pair)
-            fewer, more = (np.take_along_axis(middle, index, axis=0)[0] for index in pair)
-            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                share = np.nan_to_num((higher - level) / (higher - lower))
-                between = fewer * np.exp(np.nan_to_num(share * np.log(more / fewer)))
-            found[row] = np.where(below[0] == 0, 0.0, np.where(below[0] == cells, through[-1], between))
-        return found
+        cells, levels = len(self.pressure), np.asarray(levels, float)
+        below = np.stack([(self.pressure > level).sum(axis=0) for level in levels])
+        pair = np.clip(below - 1, 0, cells - 1), np.clip(below, 0, cells - 1)
+        higher, lower = (np.take_along_axis(self.pressure, index, axis=0) for index in pair)
+        fewer, more = (np.take_along_axis(middle, index, axis=0) for index in pair)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            share = np.nan_to_num((higher - levels.reshape(-1, *[1] * (below.ndim - 1))) / (higher - lower))
+            between = fewer * np.exp(np.nan_to_num(share * np.log(more / fewer)))
+        return np.where(below == 0, 0.0, np.where(below == cells, through[-1], between))
 
 
 def ranked_pressures(
