@@ -127,7 +127,7 @@ def _count_cases() -> list[Case]:
         made.append(
             Case(
                 id=key.replace(".", "-"),
-                title=f"conditions with slams of {row['conditions']}, {name.partition('-')[2]}, {place}, Hs {height:g} m",
+                title=f"slamming conditions of {row['conditions']}, {name.partition('-')[2]}, {place}, Hs {height:g} m",
                 kind="trend", source=f"{published.citation(CONDITIONS)}, {row['figures']}",
                 published=float(row["with_slams"]),
                 computed=lambda name=name, place=place, height=height: conditions_with_slams(name, place, height),
