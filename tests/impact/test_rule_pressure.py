@@ -9,8 +9,7 @@ from workbench.conventions import GRAVITY, KNOT
 from workbench.errors import InputError
 from workbench.geometry.wet_deck import wet_deck_height
 from workbench.hulls.library import design
-from workbench.impact.deck_rule_pressures import rule_pressures
-from workbench.impact.rule_pressure import (
+from workbench.impact.rule_formulas import (
     RECALLED,
     SEEN,
     RuleInput,
@@ -20,6 +19,7 @@ from workbench.impact.rule_pressure import (
     gl_pressure,
     rule_rows,
 )
+from workbench.impact.rule_pressure import rule_pressures
 from workbench.seas import Condition, SeaState
 
 EXAMPLE = RuleInput(

@@ -1,7 +1,7 @@
 """Rule pressures: the printed example, and two transcriptions against each other."""
 
 from workbench.conventions import GRAVITY, KNOT
-from workbench.impact.rule_pressure import (
+from workbench.impact.rule_formulas import (
     RuleInput,
     abs_area_factor,
     gl_impact_velocity,
