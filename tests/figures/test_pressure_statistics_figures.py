@@ -57,7 +57,7 @@ def test_slams_over_heading_only_where_there_are_some():
     np.testing.assert_allclose(below.get_ydata()[there], one.mean_entry_velocity.values[there])
     words = texts(figure)
     assert "19.4 kn" in words
-    assert "a line for each mean period" in words
+    assert "; by mean period" in words
     start, end = figure.axes[0].get_xlim()
     assert start > end  # head seas on the left
     assert style.picture(figure).startswith(b"\x89PNG")

@@ -92,7 +92,7 @@ def conditions_figure(
         style.grid_behind(rows)
         figure.supxlabel(words, fontsize=11, y=0.005)
         handles, labels = rows[0, 0].get_legend_handles_labels()
-        title = f"{place}, $H_s$ {significant_wave_height:g} m; a line for each {LINE_WORDS[line].format(kind=kind)}"
+        title = f"{place}, $H_s$ {significant_wave_height:g} m; by {LINE_WORDS[line].format(kind=kind)}"
         figure.text(0.78 / width, 1 - 0.2 / height, title, fontsize=11, va="center")
         figure.legend(
             handles, labels, loc="upper left", ncols=min(len(labels), in_a_row), columnspacing=1.2,
