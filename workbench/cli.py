@@ -15,11 +15,13 @@ import typer
 from workbench import (
     __version__,
     conditions_command,
+    cross_structure_command,
     design_commands,
     designs,
     entry_command,
     record_commands,
     simulate_command,
+    slam_command,
     tables,
     tool_commands,
 )
@@ -33,24 +35,16 @@ from workbench.command_inputs import (
     LockOption,
     MethodOption,
     PanelsOption,
-    PeakEnhancementOption,
     RunningSinkageOption,
     RunningTrimOption,
-    SpectrumFileOption,
-    SpectrumOption,
     SpeedOption,
-    SpreadingOption,
     TreatmentOption,
     TunnelOption,
-    WaveFieldOption,
     WindOption,
-    deck_points_of,
     frequencies_of,
     heeled_design,
-    number_or_word,
     progress_line,
     running_state_of,
-    sea_state_of,
     settings_of,
     speed_of,
     theory_of,
@@ -133,90 +127,6 @@ def rao(
 
 
 @application.command()
-def slam(
-    design: DesignArgument,
-    clearance: Annotated[
-        float | None, typer.Option(help="Wet-deck clearance [m]; that of the design if left out.")
-    ] = None,
-    method: MethodOption = "recommended",
-    hs: Annotated[float, typer.Option("--hs", help="Significant wave height [m].")] = 2.0,
-    tp: Annotated[float | None, typer.Option("--tp", help="Peak period [s].")] = None,
-    spectrum: SpectrumOption = "bretschneider",
-    peak_enhancement: PeakEnhancementOption = 3.3,
-    spectrum_file: SpectrumFileOption = None,
-    spreading: SpreadingOption = None,
-    speed_knots: SpeedOption = None,
-    froude: FroudeOption = None,
-    heading_degrees: HeadingOption = 180.0,
-    threshold: Annotated[str, typer.Option(help="Least entry velocity: 0, ochi, or a number [m/s].")] = "0",
-    seed: Annotated[int, typer.Option(help="Seed of the realisation that is counted.")] = 1,
-    hours: Annotated[float, typer.Option(help="Hours counted, and of the largest pressure.")] = 1.0,
-    criterion_per_hour: Annotated[float, typer.Option(help="Slams per hour that are allowed.")] = 20.0,
-    pressure_law: Annotated[str, typer.Option(help="chuang, chuang-text or wagner.")] = "chuang",
-    deck_points: Annotated[str, typer.Option(help="Points of the deck, lengthwise x across.")] = "40x10",
-    panels: PanelsOption = 1000,
-    interaction: InteractionOption = "auto",
-    speed_treatment: TreatmentOption = "encounter-frequency",
-    tunnel_damping: TunnelOption = 0.0,
-    wave_field: WaveFieldOption = "auto",
-    own_wave: Annotated[
-        bool,
-        typer.Option(
-            "--own-wave/--no-own-wave", help="Add the ship's own steady wave, by the high-speed theory."
-        ),
-    ] = False,
-    running_trim_degrees: RunningTrimOption = 0.0,
-    running_sinkage: RunningSinkageOption = 0.0,
-    heel_degrees: HeelOption = 0.0,
-    wind_speed: WindOption = None,
-    lock: LockOption = "",
-    as_json: JsonOption = False,
-) -> None:
-    """Wet-deck slamming in an irregular sea: closed form over the deck, and counted."""
-    from workbench import pipeline, sea_energy
-    from workbench.impact.pressure import PressureLaw
-    from workbench.seas import Condition
-    from workbench.time_domain import Realisation
-
-    chosen = designs.with_clearance(heeled_design(designs.design(design), heel_degrees), clearance)
-    condition = Condition(
-        speed=speed_of(chosen, speed_knots, froude),
-        wave_direction=wave_direction_of(heading_degrees),
-        sea_state=sea_state_of(hs, tp, spectrum, peak_enhancement, spectrum_file, spreading),
-    )
-    realisation = Realisation(seed=seed, hours=hours)
-    panel_settings = settings_of(panels, interaction, speed_treatment, tunnel_damping)
-    settings = theory_of(method, panel_settings, wave_field)
-    state = running_state_of(chosen, running_trim_degrees, running_sinkage, wind_speed, lock)
-    law = PressureLaw(name=pressure_law)
-    points = deck_points_of(deck_points)
-    least_velocity = pipeline.threshold_of(number_or_word(threshold), chosen)
-    directions = sea_energy.directions_for(condition)
-    ship = pipeline.response(
-        chosen, condition.speed, directions, None, settings, running_state=state, progress=progress_line()
-    )
-    relative = pipeline.deck_response(ship, chosen.wet_deck, points)
-    found = pipeline.slamming(
-        ship,
-        relative,
-        chosen.wet_deck,
-        condition,
-        threshold=least_velocity,
-        law=law,
-        hours=hours,
-        criterion_per_hour=criterion_per_hour,
-        steady_elevation=pipeline.steady_elevation(ship, chosen.wet_deck, points) if own_wave else 0.0,
-    )
-    _, counts = pipeline.counted_slams(ship, relative, found, realisation)
-    values = tables.slamming_table(ship, found, counts, realisation)
-    if as_json:
-        print_json(values)
-    else:
-        print(tables.slamming_text(values))
-        print_warnings(values["warnings"])
-
-
-@application.command()
 def run(
     design: DesignArgument,
     out: Annotated[Path, typer.Option("--out", help="Folder for the results; made if it is missing.")],
@@ -262,7 +172,14 @@ application.command("designs")(design_commands.list_designs)
 application.command("show")(design_commands.show)
 application.command("simulate")(simulate_command.simulate)
 application.command("records")(record_commands.records)
-for command in (*tool_commands.COMMANDS, *entry_command.COMMANDS, *conditions_command.COMMANDS):
+application.command("cross-structure")(cross_structure_command.slam)
+application.command("slam-record")(cross_structure_command.slam_record)
+for command in (
+    *slam_command.COMMANDS,
+    *tool_commands.COMMANDS,
+    *entry_command.COMMANDS,
+    *conditions_command.COMMANDS,
+):
     application.command(command.__name__.removeprefix("open_"))(command)
 
 

@@ -7,6 +7,8 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
+from tests.conftest import VERDICTS
+
 FOLDER = Path(__file__).parents[2] / "notebooks"
 NAMES = sorted(path.name for path in FOLDER.glob("*.ipynb"))
 
@@ -38,8 +40,9 @@ def test_notebook_is_valid_and_stores_no_output(name):
 
 
 def test_every_notebook_is_run_here():
-    assert {"first-steps.ipynb", "records.ipynb", "verification.ipynb"} <= set(NAMES)
-    assert set(NAMES) <= {"first-steps.ipynb", "records.ipynb", "verification.ipynb", "workbench.ipynb"}
+    run = {"cross-structure-slamming.ipynb", "first-steps.ipynb", "records.ipynb", "verification.ipynb"}
+    assert run <= set(NAMES)
+    assert set(NAMES) <= {*run, "workbench.ipynb"}
 
 
 @pytest.mark.slow
@@ -63,9 +66,10 @@ def test_first_steps():
 
 
 @pytest.mark.slow
-def test_verification():
+def test_verification(request):
     notebook = executed("verification.ipynb")
     found = numbers(notebook)
+    request.config.stash[VERDICTS] = found["verdicts"]
     assert found["passed"] is True
     assert found["counts"]["fails"] == 0
     assert found["counts"]["agrees"] > 100
@@ -98,6 +102,24 @@ def test_records():
     assert found["by_threshold"][2] > 5 * max(false, 1)
     assert found["verdicts"] == {"heave": True, "pitch": True, "vertical acceleration": False}
     assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 6
+
+
+@pytest.mark.slow
+def test_cross_structure_slamming():
+    notebook = executed("cross-structure-slamming.ipynb")
+    found = numbers(notebook)
+    assert found["slams"] == 4
+    assert found["excluded"] == [0, 0, 1, 0]
+    assert abs(found["k_error"]) < 0.05
+    assert found["unshifted_error"] > 0.2
+    assert found["mean_ratio"] == pytest.approx(1.036, abs=5e-4)
+    assert found["matched_ratio"] == pytest.approx(0.852, abs=1e-3)
+    assert found["hayes"] == pytest.approx([1.147, 0.919], abs=1e-3)
+    assert found["ratios"] == pytest.approx([5.23, 3.55], abs=0.005)
+    assert found["peak_kpa"] == pytest.approx(257, rel=0.05)
+    assert found["bulkhead_kpa"] == pytest.approx(532, rel=0.01)
+    assert found["limits"] >= 10
+    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 7
 
 
 @pytest.mark.slow

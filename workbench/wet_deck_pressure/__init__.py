@@ -1,0 +1,1 @@
+"""Pressure over the wet deck in time."""
