@@ -80,7 +80,7 @@ def tail_extremes(
     attrs = {"hours": hours, "risk": risk, "tail": tail, "duration": duration}
     if count < LEAST_COUNT[tail]:
         note = (
-            f"Too few slams for a {tail.replace('-', ' ')} tail: {total} with a pressure, of which {count} above a "
+            f"Too few slams for the {tail.replace('-', ' ')} tail: {total} with a pressure, of which {count} above a "
             f"threshold, {LEAST_COUNT[tail]} needed; simulate longer, or take the closed form."
         )
         return _result(dict.fromkeys(_NAMES, np.nan) | {"tail_count": count}, attrs, (note,))
