@@ -14,6 +14,7 @@ import typer
 
 from workbench import (
     __version__,
+    conditions_command,
     cross_structure_command,
     design_commands,
     designs,
@@ -173,7 +174,12 @@ application.command("simulate")(simulate_command.simulate)
 application.command("records")(record_commands.records)
 application.command("cross-structure")(cross_structure_command.slam)
 application.command("slam-record")(cross_structure_command.slam_record)
-for command in (*slam_command.COMMANDS, *tool_commands.COMMANDS, *entry_command.COMMANDS):
+for command in (
+    *slam_command.COMMANDS,
+    *tool_commands.COMMANDS,
+    *entry_command.COMMANDS,
+    *conditions_command.COMMANDS,
+):
     application.command(command.__name__.removeprefix("open_"))(command)
 
 
