@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from workbench import pipeline, pressure_stage
+from workbench import pipeline, pressure_stage, pressure_tables
 from workbench.cache import load_dataset
 from workbench.cli import main
 from workbench.errors import InputError
@@ -108,6 +108,18 @@ def test_panels_low_beside_the_hulls_do_not_keep_a_slam_from_ending(ship):
     assert "mark no slams" not in usual.attrs["warnings"]
 
 
+def test_extremes_of_a_longer_time_are_larger_and_lie_in_their_bands(ship):
+    slams = pressure_stage.slam_pressures(realised(ship, hours=0.5))
+    short, long = (pressure_tables.extremes_table(slams, hours, 0.01) for hours in (0.5, 5.0))
+    for name in ("deck", "hardest_panel"):
+        low, high = long[name]["most_probable_band"]
+        assert low <= long[name]["most_probable_largest"] <= high
+        assert long[name]["most_probable_largest"] > short[name]["most_probable_largest"]
+        assert short[name]["exceeded_with_risk"] > short[name]["most_probable_largest"]
+    assert long["hardest_panel"]["most_probable_largest"] <= long["deck"]["most_probable_band"][1]
+    assert short["deck"]["most_probable_largest"] == pytest.approx(float(slams.slam_pressure.max()), rel=0.5)
+
+
 def test_a_deck_that_never_slams(ship):
     design, found, relative, _ = ship
     calm = Condition(
@@ -158,6 +170,11 @@ def test_command_gives_envelope_extremes_and_force_history(capsys, tmp_path):
     assert values["quantiles"]["1"]["slam_pressure"] == pytest.approx(values["hardest"]["slam_pressure"])
     assert len(values["force_history"]["time"]) == len(values["force_history"]["force"]) > 20
     assert values["slams"] > 3
+    assert values["extremes"]["hours"] == 0.02
+    low, high = values["extremes"]["deck"]["most_probable_band"]
+    assert low <= values["extremes"]["deck"]["most_probable_largest"] <= high
+    rules = {row["rule"] for row in values["rule_pressures"]["rules"]}
+    assert rules == {"gl-hsc", "abs-hsc", "dnv-hslc", "lr-ssc"}
     rows = [line for line in table.read_text().splitlines() if not line.startswith("#")]
     assert rows[0].startswith("slam_start [s],slam_duration [s],slam_pressure [Pa]")
     assert len(rows) == values["slams"] + 1

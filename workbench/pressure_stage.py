@@ -34,7 +34,7 @@ MARKING = 0.5
 a lower one is in the water almost a third of the time, and no slam would end by it."""
 
 SLOWING = 0.1
-"""Share of the entry velocity that a slam may take from the ship before it is said [-]."""
+"""Change of the ship's velocity by a slam, over the entry velocity, from which it is said [-]."""
 
 
 class RealisedDeck:
@@ -184,17 +184,20 @@ def _until_dry(motion: DeckMotion, realised: RealisedDeck) -> DeckMotion:
 
 
 def _slowing(slams: xr.Dataset, realised: RealisedDeck) -> tuple[str, ...]:
-    """Say so where the hardest slam would slow the motions that it was computed from."""
+    """Say so where the hardest slam would slow the motions that it was computed from.
+
+    A free ship of mass M that meets an added mass A at a velocity W takes M/(M + A) of the impulse A W of a held one.
+    """
     if not slams.sizes["slam"]:
         return ()
-    largest = float(slams.slam_impulse.max())
-    change = largest / realised.ship.design.masses.mass
-    typical = float(realised.slam.moments.relative_velocity_std.max())
+    change = float(slams.slam_impulse.max()) / realised.ship.design.masses.mass
+    typical = float(realised.slam.statistics.mean_entry_velocity.max())
     if change < SLOWING * typical:
         return ()
     return (
-        f"The impulse of the hardest slam would change the ship's vertical velocity by {change:.2g} m/s: such a slam "
-        "slows the motions, which is not allowed for.",
+        f"The impulse of the hardest slam would change the ship's vertical velocity by {change:.2g} m/s where the "
+        f"water closes at some {typical:.2g} m/s: such a slam slows the motions, which is not allowed "
+        f"for; of such a momentum a free ship takes about {100 / (1 + change / typical):.0f} %.",
     )
 
 

@@ -180,6 +180,15 @@ def pressure(
         float | None,
         typer.Option(help="Time over which pressures are averaged [s]; about 10 ms if left out."),
     ] = None,
+    extreme_hours: Annotated[
+        float | None,
+        typer.Option(
+            "--extreme-hours", help="Hours for the largest pressure to expect; --hours if left out."
+        ),
+    ] = None,
+    risk: Annotated[
+        float, typer.Option(help="Of being exceeded in that time, for the extreme pressure.")
+    ] = 0.01,
     out: Annotated[
         Path | None, typer.Option("--out", help="File: .nc of all results, .csv of the slams one by one.")
     ] = None,
@@ -213,7 +222,11 @@ def pressure(
     )
     slams = pressure_stage.slam_pressures(realised, progress_line())
     hardest = pressure_stage.hardest_slam(realised, slams)
-    values = pressure_tables.pressure_table(slams, hardest)
+    expected_hours = case.realisation.hours if extreme_hours is None else extreme_hours
+    values = pressure_tables.pressure_table(slams, hardest) | {
+        "extremes": pressure_tables.extremes_table(slams, expected_hours, risk),
+        "rule_pressures": pressure_tables.rules_table(case.design, case.slamming.condition, slams),
+    }
     if out is not None:
         values["out"] = str(pressure_tables.write_slams(slams, out))
     if history is not None:
