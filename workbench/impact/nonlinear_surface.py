@@ -41,9 +41,10 @@ class Grading(NamedTuple):
 def grading(section: Section, breadth: float) -> Grading:
     """Return the sizes of elements for a spray root at a half-breadth [m].
 
-    Wagner's jet is tan(beta)**2/(2 pi) as thick as the half-breadth; beta is that of the section there.
+    Wagner's jet is tan(beta)**2/(2 pi) as thick as the half-breadth; beta is that of the wedge whose
+    spray root is as fast.
     """
-    slope = float(section.slope(breadth))
+    slope = np.pi / 2 * section.mean_slope(breadth)
     thickness = breadth * slope**2 / (2 * np.pi * np.hypot(1, slope))
     root = FINE * min(thickness, THICKEST * breadth)
     return Grading(root, max(APEX * breadth, root), LARGEST * breadth, JET * thickness)
