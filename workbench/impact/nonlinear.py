@@ -17,11 +17,11 @@ that of -U', U' the acceleration; no second derivatives are needed.
 
 from collections import deque
 from collections.abc import Callable
-from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import CubicSpline, PchipInterpolator
+from scipy.interpolate import CubicSpline, PchipInterpolator, make_interp_spline
 
 from workbench.errors import InputError
 from workbench.impact import nonlinear_start
@@ -30,8 +30,8 @@ from workbench.impact.logvinovich import largest
 from workbench.impact.nonlinear_surface import (
     Slopes,
     Surface,
-    along_section,
     body_nodes,
+    corners_within,
     grading,
     nearest,
     on_section,
@@ -212,7 +212,12 @@ class March:
     def _speed(self, body: np.ndarray, relative: np.ndarray) -> np.ndarray:
         """Speed along the body relative to it [m/s], piece by piece between its corners."""
         arc = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(body)))])
-        speed = CubicSpline(arc, relative)(arc, 1)
+        corners = np.flatnonzero(np.isin(body.real, corners_within(self.section, body[-1].real)))
+        speed = np.empty(len(body))
+        for first, last in pairwise([0, *corners, len(body) - 1]):
+            piece = slice(first, last + 1)
+            order = min(last - first, 3)
+            speed[piece] = make_interp_spline(arc[piece], relative[piece], order)(arc[piece], 1)
         speed[0] = 0.0
         return speed
 

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from workbench.errors import InputError
-from workbench.impact.section import Section, TableSection, Wedge
+from workbench.impact.section import Circle, Section, TableSection, Wedge
 
 FINE, GROWTH = 0.25, 0.13
 """Element at the spray root over the thickness of Wagner's jet, and growth of the elements with the distance from it."""
@@ -72,7 +72,16 @@ def nearest(section: Section, points: np.ndarray) -> np.ndarray:
     if isinstance(section, Wedge):
         angle = section.deadrise_angle
         return np.maximum(np.cos(angle) * (y * np.cos(angle) + z * np.sin(angle)), 0.0)
-    low, high = np.zeros(len(y)), np.minimum(y, section.reach)
+    if isinstance(section, Circle):
+        return section.radius * y / np.abs(points - 1j * section.radius)
+    if isinstance(section, TableSection):
+        corners = on_section(section, np.array([at for at, _ in section.points]))
+        steps = np.diff(corners)
+        share = ((points[:, None] - corners[:-1]) / steps).real
+        feet = corners[:-1] + np.clip(share, 0.0, 1.0) * steps
+        closest = np.argmin(np.abs(points[:, None] - feet), axis=1)
+        return feet.real[np.arange(len(y)), closest]
+    low, high = np.zeros(len(y)), y.copy()
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
         past = middle - y + (section.height(middle) - z) * section.slope(middle) > 0
@@ -91,11 +100,14 @@ def along_section(section: Section, breadth):
     return tangent / np.abs(tangent)
 
 
+def corners_within(section: Section, breadth: float) -> list[float]:
+    """Half-breadths of the corners of a table inside a half-breadth [m]."""
+    return [y for y, _ in section.points[1:-1] if y < breadth] if isinstance(section, TableSection) else []
+
+
 def body_nodes(section: Section, breadth: float, sizes: Grading) -> np.ndarray:
     """Return the nodes of the wetted side from the lowest point to a half-breadth [m]; a node at every corner."""
-    corners = [0.0]
-    if isinstance(section, TableSection):
-        corners += [y for y, _ in section.points[1:-1] if y < breadth - sizes.root / 2]
+    corners = [0.0, *corners_within(section, breadth - sizes.root / 2)]
     fine = np.unique(np.concatenate([breadth * np.linspace(0, 1, SAMPLES), corners]))
     arc = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(on_section(section, fine))))])
     ends = np.interp([*corners, breadth], fine, arc)
