@@ -218,10 +218,12 @@ TABLE: dict[str, Quantity] = {
     "peak_coefficient": Quantity("1", "peak pressure over dynamic pressure", "$k$"),
     "peak_height": Quantity("m", "height of the peak pressure above calm water", "$z_{max}$"),
     "jet_height": Quantity("m", "height of the jet tip above calm water", "$z_{jet}$"),
-    # free surface of a water entry
+    # free surface and averages of a water entry
     "surface_point": Quantity("1", "point of the free surface", "$i$"),
     "surface_position": Quantity("m", "half-breadth of the point of the free surface", "$y_s$"),
     "surface_height": Quantity("m", "height of the free surface above calm water", "$z_s$"),
+    "panel_mean": Quantity("Pa", "pressure averaged over panel and time", r"$\bar p_T$"),
+    "panel_largest": Quantity("Pa", "largest pressure averaged over panel and time", r"$\bar p_{T,max}$"),
     # drawing
     "pose": Quantity("m, rad", "motion of the origin", r"$\xi_j$"),
     "hull_vertices": Quantity("m", "hull surface points", "$x$"),

@@ -11,6 +11,12 @@ AIR_CUSHION = 3.0
 STEEPEST_LOGVINOVICH = 70.0
 """Deadrise beyond which the modified Logvinovich model has no positive pressure worth the name [degrees]."""
 
+FLATTEST_NONLINEAR, STEEPEST_NONLINEAR = 4.0, 80.0
+"""Range of deadrise at the keel of the non-linear method [degrees]; within 0.6 % of the exact wedge inside."""
+
+STEEPEST_ROUND = 45.0
+"""Angle up to which the non-linear method was compared on sections other than wedges [degrees]."""
+
 BEYOND = {
     "von-karman": ((45.0, "Von Karman's theory holds for small deadrise"),),
     "wagner": (
@@ -58,6 +64,19 @@ def check_range(section: Section, method: str, constant: bool) -> None:
         )
 
 
+    if method == "nonlinear":
+        keel = np.degrees(np.arctan(float(section.slope(0.0))))
+        if keel > 0:
+            checked_number(
+                "deadrise at the keel for the non-linear method",
+                keel,
+                "degrees",
+                at_least=FLATTEST_NONLINEAR - 1e-9,
+                at_most=STEEPEST_NONLINEAR + 1e-9,
+                cure="take generalised-wagner below and the similarity solution above",
+            )
+
+
 def validity(section: Section, method: str, half_breadth: np.ndarray, peak_position) -> tuple[str, ...]:
     """Sentences on what lies outside the range of the theory."""
     sentences = []
@@ -83,6 +102,15 @@ def validity(section: Section, method: str, half_breadth: np.ndarray, peak_posit
     if method == "generalised-wagner" and isinstance(section, TableSection) and len(section.points) > 2:
         sentences.append(
             "The corners of the table are rounded over a quarter of the shorter piece beside each."
+        )
+    if method == "nonlinear" and not isinstance(section, Wedge):
+        if angles.max() > STEEPEST_ROUND:
+            sentences.append(
+                f"The non-linear method was compared up to {STEEPEST_ROUND:g} degrees on sections other than wedges; "
+                f"this one meets the water at {angles.max():.3g} degrees."
+            )
+        sentences.append(
+            "The water stays on the section up to the end of its jet, also past a corner, where in truth it leaves it."
         )
     if method == "similarity" and np.all(peak_position == 0):
         sentences.append(

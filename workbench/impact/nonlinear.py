@@ -48,7 +48,8 @@ COURANT = 0.9
 LARGEST_STEP = 0.02
 """Largest growth of the penetration per step."""
 
-MOST_STEPS = 20000
+MOST_STEPS = 6000
+"""About a minute on one core."""
 
 TOO_FAST = 4.0
 """Speed that the flow cannot have, over that of Wagner's jet."""
@@ -140,7 +141,8 @@ class March:
         self.steps += 1
         if self.steps > MOST_STEPS:
             raise InputError(
-                f"The non-linear method needs more than {MOST_STEPS} steps; begin later, or take generalised-wagner."
+                f"The non-linear method needs more than {MOST_STEPS} steps; ask for instants nearer to each other, or take "
+                "generalised-wagner."
             )
         moved = self.moved(halfway, middle, step)
         self.time += step
