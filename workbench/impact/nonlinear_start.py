@@ -37,6 +37,9 @@ SHARPEST = 1e-6
 ROOT = 4.0
 """Distance from the body within which the surface is laid along it, over the thickness of the jet."""
 
+TIP_POINTS = 12
+"""Points of the straight end of the jet."""
+
 ANGLES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -106,11 +109,12 @@ def started(section: Section, penetration: float, velocity: float, deadrise: flo
     angle = equivalent_deadrise(section, breadth) if deadrise is None else deadrise
     depth = 2 / np.pi * breadth * np.tan(angle)
     solution = similarity_solution(angle)
-    surface = solution.surface
+    tip = -1j + solution.wall_length * np.exp(1j * angle)
+    straight = tip + (solution.surface[0] - tip) * np.linspace(0, 1, TIP_POINTS, endpoint=False)
+    surface = np.concatenate([straight, solution.surface])
     kept = np.concatenate([[True], np.abs(np.diff(surface)) > SHARPEST])
     kept &= np.abs(surface) < EDGE * solution.wall_length
-    tip = -1j + solution.wall_length * np.exp(1j * angle)
-    arc = np.abs(surface[0] - tip) + np.concatenate([[0.0], np.cumsum(np.abs(np.diff(surface)))])
+    arc = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(surface)))])
     # similar flow: phi/(V**2 t) = (|zeta|**2 - s**2)/2, s the arc from the jet tip
     potential = (depth * velocity * (np.abs(surface) ** 2 - arc**2) / 2)[kept]
     level = depth * surface[kept]
