@@ -14,6 +14,7 @@ from workbench.verification import (
     high_speed_cases,
     impact_cases,
     model_cases,
+    nonlinear_cases,
     parametric_cases,
     record_cases,
     sail_cases,
@@ -28,6 +29,7 @@ from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 GROUPS = {
     "impact pressure": impact_cases,
     "water entry of sections": entry_cases,
+    "non-linear water entry": nonlinear_cases,
     "seas and statistics": sea_cases,
     "counting": counting_cases,
     "encounter, sea areas and limits": encounter_cases,
