@@ -148,7 +148,8 @@ def entry(
     ] = None,
     density: Annotated[float, typer.Option(help="Of the water [kg/m3].")] = SEAWATER_DENSITY,
     history: Annotated[
-        int, typer.Option(help="Number of instants from the start to the penetration to print as arrays (JSON).")
+        int,
+        typer.Option(help="Number of instants from the start to the penetration to print as arrays (JSON)."),
     ] = 0,
     as_json: JsonOption = False,
 ) -> None:

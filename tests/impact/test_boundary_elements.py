@@ -9,7 +9,6 @@ from workbench.impact.boundary_elements import Boundary, far_dipole, far_source,
 POINTS = (0.3 - 0.5j, 2.0 - 0.1j, 0.1 - 3.0j, 2.9 + 0.2j)
 
 
-
 @pytest.mark.parametrize("point", [0.4 + 0.9j, -3.0 + 0.1j, 1.0 - 0.2j])
 def test_influence_of_an_element_against_quadrature(point):
     start, end = 0.2 + 0.1j, 1.4 - 0.5j
@@ -43,12 +42,16 @@ def test_influence_on_its_own_ends():
 @pytest.mark.parametrize("point", POINTS)
 def test_far_field_against_quadrature(point):
     """The closed integral of eq. 6.7, and that of the normal derivative."""
-    edge, y, z = 3.0, point.real, point.imag
-    source = sum(quad(lambda x: np.log(np.hypot(x - s, z)) / x**2, edge, np.inf, epsabs=1e-12)[0] for s in (y, -y))
-    normal = sum(quad(lambda x: -z / ((x - s) ** 2 + z**2), edge, np.inf, epsabs=1e-12)[0] for s in (y, -y))
+    edge, z = 3.0, point.imag
+
+    def beyond(kernel):
+        return sum(quad(kernel, edge, np.inf, args=(side,), epsabs=1e-12)[0] for side in (point.real, -point.real))
+
+    source = beyond(lambda x, at: np.log(np.hypot(x - at, z)) / x**2)
+    normal = beyond(lambda x, at: -z / ((x - at) ** 2 + z**2))
     assert far_source(np.array([point]), edge)[0] == pytest.approx(source, abs=1e-10)
     assert far_dipole(np.array([point]), edge)[0] == pytest.approx(normal, abs=1e-10)
-    assert far_dipole(np.array([y + 0j]), edge)[0] == 0
+    assert far_dipole(np.array([point.real + 0j]), edge)[0] == 0
 
 
 def test_half_circle_under_a_level_surface():
@@ -77,9 +80,9 @@ def test_corner_of_a_cut_and_the_free_surface():
     nodes = np.concatenate([body, cut, sloping, np.linspace(3, 20, 2 * count)[1:] + 0j])
     boundary = Boundary(nodes, count, across)
     exact = nodes.imag / np.abs(nodes) ** 2
-    gradient = np.conj(1j / nodes**2)  # of Im(-1/x): d/dy - i d/dz = i/x**2
+    gradient = np.conj(-1j / nodes**2)  # of Re(i/x)
     middle = (body[1:] + body[:-1]) / 2
-    flux = (np.conj(1j / middle**2) * np.conj(boundary.normal[:count])).real
+    flux = (np.conj(-1j / middle**2) * np.conj(boundary.normal[:count])).real
     corner = count + across
     along = sloping[1] - sloping[0]
     slope = float((gradient[corner] * np.conj(along / abs(along))).real)

@@ -233,7 +233,9 @@ def _chuang(section: Wedge, velocity: float) -> Instant:
     return Instant(np.nan, np.nan, nothing, nothing, nothing, np.nan, peak, np.nan)
 
 
-def _dataset(section, method, density, times, motion, panels, instants: list[Instant], surfaces) -> xr.Dataset:
+def _dataset(
+    section, method, density, times, motion, panels, instants: list[Instant], surfaces
+) -> xr.Dataset:
     penetration, speed, acceleration = motion
     peak = np.array([found.peak for found in instants])
     place = np.array([found.peak_position for found in instants])

@@ -63,7 +63,6 @@ def check_range(section: Section, method: str, constant: bool) -> None:
             cure="take the similarity solution",
         )
 
-
     if method == "nonlinear":
         keel = np.degrees(np.arctan(float(section.slope(0.0))))
         if keel > 0:

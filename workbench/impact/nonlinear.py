@@ -24,7 +24,6 @@ import numpy as np
 from scipy.interpolate import CubicSpline, PchipInterpolator, make_interp_spline
 
 from workbench.errors import InputError
-from workbench.impact import nonlinear_start
 from workbench.impact.boundary_elements import Boundary
 from workbench.impact.logvinovich import largest
 from workbench.impact.nonlinear_surface import (
@@ -34,13 +33,12 @@ from workbench.impact.nonlinear_surface import (
     corners_within,
     grading,
     nearest,
-    on_section,
     regridded,
     slopes,
     spline,
 )
 from workbench.impact.plate import Instant
-from workbench.impact.section import Section, Wedge
+from workbench.impact.section import Section
 
 COURANT = 0.9
 """Largest way of a point per step over the distance to its neighbour."""
@@ -75,7 +73,7 @@ END_FIT = _end_fit()
 
 
 class Flow(NamedTuple):
-    """Solved flow: its boundary, potential at the nodes, normal velocity of cut and free surface, velocity of the latter."""
+    """Solved flow: boundary, potential at its nodes, normal velocity of cut and free surface, velocity of the latter."""
 
     boundary: Boundary
     potential: np.ndarray
@@ -141,8 +139,8 @@ class March:
         self.steps += 1
         if self.steps > MOST_STEPS:
             raise InputError(
-                f"The non-linear method needs more than {MOST_STEPS} steps; ask for instants nearer to each other, or take "
-                "generalised-wagner."
+                f"The non-linear method needs more than {MOST_STEPS} steps; ask for instants nearer to each other, or "
+                "take generalised-wagner."
             )
         moved = self.moved(halfway, middle, step)
         self.time += step

@@ -1,5 +1,6 @@
 """Grids of the non-linear water entry: body, cut through the jet, free surface; in coordinates fixed to the body."""
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ from workbench.errors import InputError
 from workbench.impact.section import Circle, Section, TableSection, Wedge
 
 FINE, GROWTH = 0.25, 0.13
-"""Element at the spray root over the thickness of Wagner's jet, and growth of the elements with the distance from it."""
+"""Element at the spray root over the thickness of Wagner's jet, and growth of the elements per distance from it."""
 
 JET = 3.0
 """Length of jet that is kept outside the spray root, over the thickness of Wagner's jet."""
@@ -113,7 +114,7 @@ def body_nodes(section: Section, breadth: float, sizes: Grading) -> np.ndarray:
     ends = np.interp([*corners, breadth], fine, arc)
     total = float(ends[-1])
     places = []
-    for inner, outer in zip(ends[:-1], ends[1:], strict=True):
+    for inner, outer in pairwise(ends):
 
         def size(at, outer=float(outer)):
             behind = total - outer + at
@@ -133,7 +134,7 @@ class Surface(NamedTuple):
     """Free surface from the cut through the jet outwards.
 
     ``points`` y + i z from the lowest point [m], ``potential`` [m2/s]; ``root`` half-breadth of the
-    spray root, where the surface is at right angles to the section [m]; ``lost`` area cut off at the end of the jet [m2].
+    spray root, where the surface is at right angles to the section [m]; ``lost`` area cut off with the jet [m2].
     """
 
     points: np.ndarray
@@ -152,7 +153,9 @@ class Slopes(NamedTuple):
 def spline(surface: Surface) -> tuple[CubicSpline, np.ndarray]:
     """Return the spline of (y, z, potential) over the length of the chords, and that length at the points."""
     arc = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(surface.points)))])
-    return CubicSpline(arc, np.column_stack([surface.points.real, surface.points.imag, surface.potential])), arc
+    return CubicSpline(
+        arc, np.column_stack([surface.points.real, surface.points.imag, surface.potential])
+    ), arc
 
 
 def slopes(surface: Surface) -> Slopes:

@@ -16,7 +16,7 @@ from workbench.impact.entry import METHODS, entry
 from workbench.impact.nonlinear_start import first_penetration
 from workbench.impact.section import Section
 
-INSTANTS = 120
+INSTANTS = 80
 WETTED_BEYOND = 2.0
 """The panel is followed until the wetted half-breadth by Wagner's theory is so many times its outer edge."""
 

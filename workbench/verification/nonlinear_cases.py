@@ -66,7 +66,7 @@ def pod_averages(method: str, times) -> np.ndarray:
 
 
 def _steady_from() -> float:
-    """Time where the first, straight rise of the average would reach the level that it has when the panel is wet [s]."""
+    """Time where the first, straight rise of the average would reach its level on the wet panel [s]."""
     early, level = pod_averages("nonlinear", (0.02, 0.04))
     return 0.02 * level / early
 
