@@ -18,7 +18,7 @@ LOGVINOVICH = {4: (507.0684, 1462.1416), 10: (81.7973, 209.2741), 15: (36.7669, 
                30: (9.6196, 15.0857), 40: (5.5586, 6.3521), 45: (4.4348, 4.2049), 60: (2.5399, 1.0778)}  # fmt: skip
 """Peak coefficient and force over rho V**3 t in closed form, evaluated independently."""
 
-FORCES = ("von-karman", "wagner", "generalised-wagner", "logvinovich", "similarity")
+FORCES = ("von-karman", "wagner", "generalised-wagner", "logvinovich", "similarity", "nonlinear")
 
 
 def wedge(degrees, method, velocity=2.0, time=0.5, **more):

@@ -7,8 +7,8 @@ from workbench.errors import InputError
 from workbench.impact import nonlinear_start
 from workbench.impact.entry import VelocityHistory, _motion_at, entry
 from workbench.impact.nonlinear import March
-from workbench.impact.nonlinear_entry import begun
-from workbench.impact.nonlinear_surface import body_nodes, grading, nearest, on_section
+from workbench.impact.nonlinear_entry import begun, expected_steps
+from workbench.impact.nonlinear_surface import body_nodes, grading, nearest, on_section, regridded
 from workbench.impact.section import Circle, Parabola, TableSection, Wedge
 from workbench.quantities import warnings_of
 from workbench.verification import nonlinear_balance, nonlinear_cases
@@ -37,6 +37,27 @@ def test_wedge_at_constant_velocity(degrees):
     assert 2 * np.trapezoid(pressure, y) == pytest.approx(float(here["section_force"][1]), rel=5e-3)
     known = np.interp(y, exact["pressure_position"][1], exact["section_pressure"][1])
     assert np.abs(pressure - known).max() < 0.06 * known.max()
+
+
+def test_average_over_the_whole_is_the_force():
+    averages = entry(Wedge(np.radians(48)), 3.0, "nonlinear", 1000.0, [0.2, 0.7], [(0.0, 5.0)])
+    assert 10 * averages["panel_pressure"][:, 0].to_numpy() == pytest.approx(
+        averages["section_force"].to_numpy(), rel=1e-3
+    )
+
+
+def test_free_surface_is_carried_on_as_that_of_a_dipole():
+    wedge = Wedge(np.radians(48))
+    start = nonlinear_start.started(wedge, 1.0, 1.0)
+    near = start.points.real < 9 * start.points[0].real
+    short = start._replace(points=start.points[near], potential=start.potential[near])
+    carried = regridded(short, wedge, 1.0)
+    assert carried.points[-1].real == pytest.approx(16 * start.points[0].real, rel=1e-3)
+    beyond = carried.points[carried.points.real >= short.points[-1].real * (1 - 1e-9)]
+    moment = (beyond.imag - 1) * beyond.real**2
+    assert moment == pytest.approx(moment[0], rel=1e-6)
+    exact = np.interp(beyond.real, start.points.real, start.points.imag - 1)
+    assert beyond.imag - 1 == pytest.approx(exact, rel=0.05)
 
 
 @pytest.mark.parametrize("degrees", [20, 50])
@@ -142,3 +163,14 @@ def test_nearest_point_and_nodes_of_the_body(section):
 def test_refusals(section, time, words):
     with pytest.raises(InputError, match=words):
         found(section, times=[time])
+
+
+def test_too_many_steps_are_refused_at_once():
+    """A flat wedge at varying velocity; the estimate is that of a steeper one within a third."""
+    velocity = VelocityHistory(TIMES, (2.0, 1.8, 1.6, 1.4, 1.2))
+    with pytest.raises(InputError, match="needs about"):
+        found(Wedge(np.radians(4)), velocity=velocity, times=[0.3])
+    wedge = Wedge(np.radians(40))
+    march = March(wedge, lambda time: (time, 1.0, 0.0), 1.0, nonlinear_start.started(wedge, 1.0, 1.0))
+    march.to(1.8)
+    assert expected_steps(wedge, 1.0, 1.8) == pytest.approx(march.steps, rel=1 / 3)

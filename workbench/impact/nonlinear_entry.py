@@ -6,11 +6,14 @@ from functools import lru_cache
 import numpy as np
 from scipy.optimize import brentq
 
+from workbench.errors import InputError
 from workbench.impact import nonlinear_start
-from workbench.impact.nonlinear import March
+from workbench.impact.nonlinear import COURANT, MOST_STEPS, March
+from workbench.impact.nonlinear_surface import grading
 from workbench.impact.plate import Instant
-from workbench.impact.section import Section, Wedge
+from workbench.impact.section import Section, Wedge, contact_half_breadth
 
+ESTIMATED = 60
 SETTLING_STEPS, SETTLING_GROWTH = 160, 2.5
 """A wedge at constant velocity is stepped so often, or until it has gone deeper by this factor."""
 
@@ -40,11 +43,33 @@ def instants(
             pairs.append((_scaled(found, depth, velocity), depth * surface))
     else:
         march = begun(section, motion, float(times[0]))
+        _check_steps(section, motion(march.time)[0], motion(float(times[-1]))[0])
         pairs = []
         for time in times:
             march.to(float(time))
             pairs.append((march.instant(), march.free_surface()))
     return [found for found, _ in pairs], np.array([surface for _, surface in pairs])
+
+
+def expected_steps(section: Section, first: float, last: float) -> float:
+    """Number of steps from one penetration to another [m], by Wagner's theory.
+
+    A step is as long as the water of the jet, twice as fast as the spray root, takes for one element.
+    """
+    ends = [contact_half_breadth(section, depth, pile_up=True) for depth in (first, last)]
+    breadth = np.geomspace(*ends, ESTIMATED)
+    element = np.array([grading(section, float(c)).root for c in breadth])
+    return float(np.trapezoid(2 / (COURANT * element), breadth))
+
+
+def _check_steps(section: Section, first: float, last: float) -> None:
+    reach = section.mean_height(section.reach) if np.isfinite(section.reach) else np.inf
+    expected = expected_steps(section, first, min(last, 0.999 * reach))
+    if expected > MOST_STEPS:
+        raise InputError(
+            f"The {section.kind} is so flat that the non-linear method needs about {expected:.0f} steps, more than "
+            f"{MOST_STEPS}; take generalised-wagner, or instants nearer to each other."
+        )
 
 
 def begun(section: Section, motion: Callable, first: float) -> March:
