@@ -6,6 +6,7 @@ import pytest
 from workbench.errors import InputError
 from workbench.impact import nonlinear_start
 from workbench.impact.entry import VelocityHistory, _motion_at, entry
+from workbench.impact.entry_range import validity
 from workbench.impact.nonlinear import March
 from workbench.impact.nonlinear_entry import begun, expected_steps
 from workbench.impact.nonlinear_surface import body_nodes, grading, nearest, on_section, regridded
@@ -40,10 +41,9 @@ def test_wedge_at_constant_velocity(degrees):
 
 
 def test_average_over_the_whole_is_the_force():
-    averages = entry(Wedge(np.radians(48)), 3.0, "nonlinear", 1000.0, [0.2, 0.7], [(0.0, 5.0)])
-    assert 10 * averages["panel_pressure"][:, 0].to_numpy() == pytest.approx(
-        averages["section_force"].to_numpy(), rel=1e-3
-    )
+    averages = entry(Wedge(np.radians(48)), 3.0, "nonlinear", 1000.0, [0.2, 0.7], [(0, 5)])
+    force = averages["section_force"].to_numpy()
+    assert 10 * averages["panel_pressure"][:, 0].to_numpy() == pytest.approx(force, rel=1e-3)
 
 
 def test_free_surface_is_carried_on_as_that_of_a_dipole():
@@ -124,7 +124,16 @@ def test_wedge_as_a_table():
     known = found(Wedge(np.radians(40)))
     for name in ("section_force", "peak_pressure", "wetted_half_breadth"):
         assert float(here[name][0]) == pytest.approx(float(known[name][0]), rel=0.01)
-    assert "past a corner" in warnings_of(here)[0]
+    assert "jet is kept" in warnings_of(here)[-1]
+
+
+def test_sharp_corners_are_warned_of():
+    section = TableSection(((0.0, 0.0), (1.0, 0.4), (2.0, 1.4)))
+    wet, dry = (np.array([breadth]) for breadth in (1.2, 0.8))
+    turn = "turns by 23.2 degrees"
+    assert turn in " ".join(validity(section, "nonlinear", wet, wet))
+    assert turn not in " ".join(validity(section, "nonlinear", dry, dry))
+    assert turn not in " ".join(validity(section, "wagner", wet, wet))
 
 
 def test_parabola_against_wagner_and_generalised_wagner():

@@ -17,6 +17,9 @@ FLATTEST_NONLINEAR, STEEPEST_NONLINEAR = 4.0, 80.0
 STEEPEST_ROUND = 45.0
 """Angle up to which the non-linear method was compared on sections other than wedges [degrees]."""
 
+SHARPEST_TURN = 10.0
+"""Turn at a corner of a table up to which the non-linear method was compared [degrees]."""
+
 BEYOND = {
     "von-karman": ((45.0, "Von Karman's theory holds for small deadrise"),),
     "wagner": (
@@ -108,9 +111,13 @@ def validity(section: Section, method: str, half_breadth: np.ndarray, peak_posit
                 f"The non-linear method was compared up to {STEEPEST_ROUND:g} degrees on sections other than wedges; "
                 f"this one meets the water at {angles.max():.3g} degrees."
             )
-        sentences.append(
-            "The water stays on the section up to the end of its jet, also past a corner, where in truth it leaves it."
-        )
+        turn = _sharpest_turn(section, finite.max(initial=0.0))
+        if turn > SHARPEST_TURN:
+            sentences.append(
+                f"The section turns by {turn:.3g} degrees at a corner; the non-linear method was compared up to "
+                f"{SHARPEST_TURN:g}, and its flow has suction there, which real water escapes by leaving the section."
+            )
+        sentences.append("The jet is kept on the section throughout; no water leaves it.")
     if method == "similarity" and np.all(peak_position == 0):
         sentences.append(
             "The largest pressure is at the apex; the wetted half-breadth is that of the jet tip."
@@ -120,3 +127,12 @@ def validity(section: Section, method: str, half_breadth: np.ndarray, peak_posit
             "Chuang's k is a fit to drop tests of three-dimensional bodies and gives neither force nor distribution."
         )
     return tuple(sentences)
+
+
+def _sharpest_turn(section: Section, breadth: float) -> float:
+    """Largest turn of a table at a corner inside a half-breadth [degrees]."""
+    if not isinstance(section, TableSection):
+        return 0.0
+    y, z = np.array(section.points).T
+    turns = np.degrees(np.diff(np.arctan(np.diff(z) / np.diff(y))))
+    return float(turns[y[1:-1] < breadth].max(initial=0.0))

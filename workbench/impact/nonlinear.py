@@ -73,7 +73,7 @@ END_FIT = _end_fit()
 
 
 class Flow(NamedTuple):
-    """Solved flow: boundary, potential at its nodes, normal velocity of cut and free surface, velocity of the latter."""
+    """Solved flow: boundary, potential at its nodes, normal velocity of cut and free surface, velocity of the last."""
 
     boundary: Boundary
     potential: np.ndarray

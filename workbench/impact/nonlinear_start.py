@@ -18,7 +18,7 @@ from workbench.impact.nonlinear_surface import (
     on_section,
     regridded,
 )
-from workbench.impact.section import Section, TableSection, Wedge, contact_half_breadth
+from workbench.impact.section import Circle, Parabola, Section, TableSection, Wedge, contact_half_breadth
 from workbench.impact.similarity import similarity_solution
 
 FLATTEST_START, STEEPEST_START = np.radians(8.0), np.radians(12.0)
@@ -54,7 +54,7 @@ def first_penetration(section: Section) -> float:
 
 
 def _rounded(section: Section) -> bool:
-    return float(section.slope(0.0)) == 0
+    return isinstance(section, Parabola | Circle)
 
 
 def _depth_of(section: Section, angle: float) -> float:
