@@ -30,7 +30,10 @@ def test_slow_cases_are_left_out_unless_asked_for():
         "austal-longer-30-knots-hs4",
         "austal-wider-hulls-30-knots-hs4",
         *(f"nonlinear-wedge-{degrees}-{name}" for degrees in (12, 37, 52, 75) for name in ("peak", "force")),
-        *(f"nonlinear-{name}" for name in ("start", "parabola-force", "parabola-breadth", "slowing-force")),
+        *(
+            f"nonlinear-{name}"
+            for name in ("start", "march", "parabola-force", "parabola-breadth", "slowing-force")
+        ),
     }
 
 

@@ -108,7 +108,7 @@ def entry(
     peak pressure while the peak is at the spray root, and that of the jet tip
     where the largest pressure is at the apex; that of the non-linear method is where the
     free surface is at right angles to the section, and its jet is cut off further out. It takes
-    1 to 10 s for a wedge at constant velocity, up to a minute otherwise.
+    1 to 10 s for a wedge at constant velocity, up to half a minute otherwise.
     """
     checked_choice("method", method, METHODS)
     checked_number("density", density, "kg/m3", above=0)

@@ -46,8 +46,8 @@ COURANT = 0.9
 LARGEST_STEP = 0.02
 """Largest growth of the penetration per step."""
 
-MOST_STEPS = 6000
-"""About a minute on one core."""
+MOST_STEPS = 3200
+"""Half a minute on one core; a wedge of 6 degrees is 5 % off after 4000 steps, while 2000 change nothing at 8."""
 
 TOO_FAST = 4.0
 """Speed that the flow cannot have, over that of Wagner's jet."""

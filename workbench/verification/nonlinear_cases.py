@@ -155,6 +155,8 @@ def _balance_cases() -> list[Case]:
          "conservation of momentum", 1.0, lambda: nonlinear_balance.momentum_ratio(_started(45), 15), 0.002, False),
         ("start", "Wedge of 30 degrees begun with the flow of 25, 3 times deeper: force over that of the exact wedge",
          EXACT, 1.0, lambda: other_start_force(30, 25, 3.0), 0.015, True),
+        ("march", "Wedge of 10 degrees stepped to 3 times its depth: force over that of the exact wedge",
+         EXACT, 1.0, lambda: other_start_force(10, 10, 3.0), 0.015, True),
     )  # fmt: skip
     return [
         Case(
