@@ -351,6 +351,12 @@ TABLE: dict[str, Quantity] = {
     "rule_society": Quantity("1", "society", ""),
     "rule_reference": Quantity("1", "place of the formula", ""),
     "rule_standing": Quantity("1", "standing of the formula here", ""),
+    # free surface and averages of a water entry
+    "surface_point": Quantity("1", "point of the free surface", "$i$"),
+    "surface_position": Quantity("m", "half-breadth of the point of the free surface", "$y_s$"),
+    "surface_height": Quantity("m", "height of the free surface above calm water", "$z_s$"),
+    "panel_mean": Quantity("Pa", "pressure averaged over panel and time", r"$\bar p_T$"),
+    "panel_largest": Quantity("Pa", "largest pressure averaged over panel and time", r"$\bar p_{T,max}$"),
     # drawing
     "pose": Quantity("m, rad", "motion of the origin", r"$\xi_j$"),
     "hull_vertices": Quantity("m", "hull surface points", "$x$"),

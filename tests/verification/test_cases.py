@@ -33,6 +33,11 @@ def test_slow_cases_are_left_out_unless_asked_for():
         *(f"delft-{mode}-fn{fn}-forward-speed" for mode in ("heave", "pitch") for fn in ("03", "075")),
         "austal-longer-30-knots-hs4",
         "austal-wider-hulls-30-knots-hs4",
+        *(f"nonlinear-wedge-{degrees}-{name}" for degrees in (12, 37, 52, 75) for name in ("peak", "force")),
+        *(
+            f"nonlinear-{name}"
+            for name in ("start", "march", "parabola-force", "parabola-breadth", "slowing-force")
+        ),
     }
 
 
