@@ -155,9 +155,7 @@ def entry(
 ) -> None:
     """Print peak pressure and force of a section that enters calm water."""
     shape = section_of(section, deadrise_degrees, radius)
-    checked_number(
-        "downward entry velocity", velocity, "m/s", above=0, cure="water exit is not in these theories"
-    )
+    checked_number("downward entry velocity", velocity, "m/s", above=0, cure="the section enters the water")
     if penetration is not None:
         checked_number("penetration", penetration, "m", above=0)
     depth = _penetration(shape) if penetration is None else penetration

@@ -195,7 +195,8 @@ def test_what_lies_outside_is_said(degrees, method, words):
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"velocity": 0.0}, "water exit"), ({"velocity": -2.0}, "water exit"), ({"velocity": np.nan}, "velocity"),
+        ({"velocity": 0.0}, "velocity history"), ({"velocity": -2.0}, "velocity history"),
+        ({"velocity": np.nan}, "velocity"),
         ({"method": "magic"}, "method must be one of"),
         ({"density": 0.0}, "density"), ({"times": [0.0]}, "time after first contact"), ({"times": [2.0, 1.0]}, "grow"),
         ({"panels": [(1.0, 0.5)]}, "outer edge"), ({"section": Circle(1.0), "method": "similarity"}, "wedges only"),
@@ -212,7 +213,7 @@ def test_refusals(given, words):
         entry(**values)
 
 
-@pytest.mark.parametrize("given", [((0.0,), (1.0,)), ((0.1, 1.0), (1.0, 1.0)), ((0.0, 1.0), (1.0, -1.0))])
+@pytest.mark.parametrize("given", [((0.0,), (1.0,)), ((0.1, 1.0), (1.0, 1.0)), ((0.0, 1.0), (-1.0, 1.0))])
 def test_velocity_histories_are_checked(given):
     with pytest.raises(InputError):
         VelocityHistory(*given)

@@ -5,12 +5,13 @@ import pytest
 
 from workbench.errors import InputError
 from workbench.impact import nonlinear_start
-from workbench.impact.entry import VelocityHistory, _motion_at, entry
+from workbench.impact.entry import VelocityHistory, entry
 from workbench.impact.entry_range import validity
 from workbench.impact.nonlinear import March
 from workbench.impact.nonlinear_entry import begun, expected_steps
 from workbench.impact.nonlinear_surface import body_nodes, grading, nearest, on_section, regridded
 from workbench.impact.section import Circle, Parabola, TableSection, Wedge
+from workbench.impact.velocity_history import motion_function
 from workbench.quantities import warnings_of
 from workbench.verification import nonlinear_balance, nonlinear_cases
 
@@ -88,7 +89,7 @@ def test_another_start_is_forgotten():
 @pytest.mark.parametrize("change", [-2.0, 20.0])
 def test_pressure_is_the_rate_of_momentum_when_the_velocity_changes(change):
     velocity = VelocityHistory(TIMES, tuple(2 + change * time for time in TIMES))
-    march = begun(Wedge(np.radians(40)), _motion_at(velocity), 0.2)
+    march = begun(Wedge(np.radians(40)), motion_function(velocity), 0.2)
     march.to(0.1)
     assert nonlinear_balance.momentum_ratio(march, 8) == pytest.approx(1, abs=3e-3)
 

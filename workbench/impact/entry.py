@@ -1,7 +1,6 @@
 """One interface to the theories of water entry: section, velocity and theory in, forces and pressures out."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
@@ -18,6 +17,7 @@ from workbench.impact import (
     nonlinear_entry,
     plate,
     similarity,
+    water_exit,
 )
 from workbench.impact.entry_range import check_range, validity
 from workbench.impact.nonlinear import SURFACE_POINTS
@@ -25,6 +25,7 @@ from workbench.impact.nonlinear_surface import EDGE
 from workbench.impact.plate import Instant
 from workbench.impact.quadrature import running_integral
 from workbench.impact.section import Section, Wedge
+from workbench.impact.velocity_history import VelocityHistory, motion_at_times, motion_function
 
 METHODS = (
     "von-karman",
@@ -37,40 +38,6 @@ METHODS = (
 )
 POINTS = 201
 """Number of pressure points per instant in a result."""
-
-
-@dataclass(frozen=True)
-class VelocityHistory:
-    """Downward velocity of a section against time, from first contact at time 0.
-
-    Parameters
-    ----------
-    times : from 0, growing [s]; velocities : downwards, above 0 [m/s]. Between them a
-        cubic spline, so that there is an acceleration.
-    """
-
-    times: tuple[float, ...]
-    velocities: tuple[float, ...]
-
-    def __post_init__(self):
-        if len(self.times) != len(self.velocities) or len(self.times) < 2:
-            raise InputError(
-                f"The velocity history needs as many velocities as times, at least 2, got {len(self.velocities)} and "
-                f"{len(self.times)}."
-            )
-        if self.times[0] != 0 or np.any(np.diff(self.times) <= 0):
-            raise InputError("The times of the velocity history must grow from 0, the first contact.")
-        for velocity in self.velocities:
-            _checked_velocity(velocity)
-
-    def motion(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return penetration [m], velocity [m/s] and acceleration [m/s2] at times [s]."""
-        if times[-1] > self.times[-1]:
-            raise InputError(
-                f"Time {times[-1]:g} s lies after the end of the velocity history, {self.times[-1]:g} s."
-            )
-        spline = CubicSpline(self.times, self.velocities)
-        return spline.antiderivative()(times), spline(times), spline.derivative()(times)
 
 
 def entry(
@@ -86,7 +53,7 @@ def entry(
     Parameters
     ----------
     section : `Wedge`, `Parabola`, `Circle` or `TableSection`; symmetric and convex.
-    velocity : downwards, constant [m/s], or a history.
+    velocity : downwards, constant [m/s], or a history, which may turn upwards again.
     method : one of `METHODS`.
     density : of the water [kg/m3].
     times : after first contact, above 0, growing [s].
@@ -108,37 +75,33 @@ def entry(
     peak pressure while the peak is at the spray root, and that of the jet tip
     where the largest pressure is at the apex; that of the non-linear method is where the
     free surface is at right angles to the section, and its jet is cut off further out. It takes
-    1 to 10 s for a wedge at constant velocity, up to half a minute otherwise.
+    1 to 10 s for a wedge at constant velocity, up to half a minute otherwise. While the section
+    rises, von Karman's, Wagner's and the modified Logvinovich model give the linearised
+    exit of `workbench.impact.water_exit`.
     """
     checked_choice("method", method, METHODS)
     checked_number("density", density, "kg/m3", above=0)
     times = _checked_times(times)
     panels = [_checked_panel(panel) for panel in panels]
-    penetration, speed, acceleration = _motion(velocity, times)
+    penetration, speed, acceleration = motion_at_times(velocity, times)
     constant = not isinstance(velocity, VelocityHistory)
-    check_range(section, method, constant)
+    check_range(section, method, constant, bool(speed.min() <= 0))
     surfaces = None
     if method == "nonlinear":
-        instants, surfaces = nonlinear_entry.instants(section, _motion_at(velocity), times, constant)
+        instants, surfaces = nonlinear_entry.instants(section, motion_function(velocity), times, constant)
     elif method == "chuang":
         instants = [_chuang(section, v) for v in speed]
     elif method == "generalised-wagner" and not isinstance(section, Wedge):
         instants = generalised_section.instants(section, penetration, speed, acceleration)
     else:
         instants = [
-            _instant(section, method, *motion)
+            _instant(section, method, *motion) if motion[1] > 0 else _rising(section, method, *motion)
             for motion in zip(penetration, speed, acceleration, strict=True)
         ]
     if method == "similarity":
         surfaces = penetration[:, None] * _similar_surface(section.deadrise_angle)
     return _dataset(
         section, method, density, times, (penetration, speed, acceleration), panels, instants, surfaces
-    )
-
-
-def _checked_velocity(velocity) -> float:
-    return checked_number(
-        "downward entry velocity", velocity, "m/s", above=0, cure="water exit is not in these theories"
     )
 
 
@@ -156,24 +119,6 @@ def _checked_panel(panel) -> tuple[float, float]:
     checked_number("inner edge of the panel", inner, "m", at_least=0)
     checked_number("outer edge of the panel", outer, "m", above=inner)
     return float(inner), float(outer)
-
-
-def _motion(velocity, times: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    if not isinstance(velocity, VelocityHistory):
-        constant = _checked_velocity(velocity)
-        return constant * times, np.full(len(times), constant), np.zeros(len(times))
-    penetration, speed, acceleration = velocity.motion(times)
-    _checked_velocity(float(speed.min()))
-    return penetration, speed, acceleration
-
-
-def _motion_at(velocity: float | VelocityHistory) -> Callable[[float], tuple[float, float, float]]:
-    """Penetration [m], velocity [m/s] and acceleration [m/s2] as a function of one time [s]."""
-    if not isinstance(velocity, VelocityHistory):
-        return lambda time: (velocity * time, velocity, 0.0)
-    spline = CubicSpline(velocity.times, velocity.velocities)
-    penetration, acceleration = spline.antiderivative(), spline.derivative()
-    return lambda time: (float(penetration(time)), float(spline(time)), float(acceleration(time)))
 
 
 def _similar_surface(deadrise_angle: float) -> np.ndarray:
@@ -198,6 +143,10 @@ def _instant(section: Section, method: str, penetration, velocity, acceleration)
     if method == "generalised-wagner":
         return generalised_wagner.instant(section.deadrise_angle, penetration, velocity, acceleration)
     return similarity_instant(section.deadrise_angle, penetration, velocity)
+
+
+def _rising(section: Section, method: str, penetration, velocity, acceleration) -> Instant:
+    return water_exit.instant(section, penetration, velocity, acceleration, pile_up=method != "von-karman")
 
 
 def similarity_instant(deadrise_angle: float, penetration: float, velocity: float) -> Instant:
@@ -252,7 +201,7 @@ def _dataset(
         "wetted_rate": ("time", [found.rate for found in instants]),
         "section_force": ("time", [density * found.force for found in instants]),
         "peak_pressure": ("time", density * peak),
-        "peak_coefficient": ("time", peak / (speed**2 / 2)),
+        "peak_coefficient": ("time", np.where(speed > 0, peak / np.maximum(speed**2 / 2, 1e-300), np.nan)),
         "peak_height": ("time", height),
     }
     coords: dict = {"time": times}
@@ -282,7 +231,10 @@ def _dataset(
             penetration * (found.wall_length * np.sin(section.deadrise_angle) - 1),
         )
     return quantities.dataset(
-        coords, method=method, warnings=validity(section, method, breadth, place), **variables
+        coords,
+        method=method,
+        warnings=validity(section, method, breadth, place, bool(speed.min() <= 0)),
+        **variables,
     )
 
 

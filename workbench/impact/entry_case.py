@@ -56,7 +56,7 @@ class EntryCase:
     def __post_init__(self):
         checked_number(
             "downward entry velocity", self.velocity, "m/s", above=0, at_most=100,
-            cure="water exit is not in these theories",
+            cure="the section enters the water",
         )  # fmt: skip
         deepest = np.inf if np.isinf(self.section.reach) else self.section.mean_height(self.section.reach)
         checked_number(

@@ -49,8 +49,17 @@ BEYOND = {
 """Limit of deadrise [degrees] and sentence by theory; the figures are those of the verification cases."""
 
 
-def check_range(section: Section, method: str, constant: bool) -> None:
-    """Refuse what a theory cannot do at all."""
+EXIT_METHODS = ("von-karman", "wagner", "logvinovich")
+"""Theories that go on while the section leaves the water again."""
+
+
+def check_range(section: Section, method: str, constant: bool, rises: bool = False) -> None:
+    """Refuse what a theory cannot do at all; ``rises`` where the section leaves the water again."""
+    if rises and method not in EXIT_METHODS:
+        raise InputError(
+            f"The section rises at the end of these times, which the method {method} does not follow; take one of "
+            f"{', '.join(EXIT_METHODS)}, or times before it turns."
+        )
     if method in ("similarity", "chuang") and not isinstance(section, Wedge):
         raise InputError(
             f"The method {method} is for wedges only, got a {section.kind}; take generalised-wagner or logvinovich."
@@ -79,9 +88,16 @@ def check_range(section: Section, method: str, constant: bool) -> None:
             )
 
 
-def validity(section: Section, method: str, half_breadth: np.ndarray, peak_position) -> tuple[str, ...]:
+def validity(
+    section: Section, method: str, half_breadth: np.ndarray, peak_position, rises: bool = False
+) -> tuple[str, ...]:
     """Sentences on what lies outside the range of the theory."""
     sentences = []
+    if rises:
+        sentences.append(
+            "While the section rises, pressure and force are those of the linearised exit: added mass times "
+            "acceleration, nothing at the edge that recedes."
+        )
     finite = half_breadth[np.isfinite(half_breadth)]
     if isinstance(section, Wedge):
         angles = np.degrees([section.deadrise_angle])
