@@ -83,6 +83,13 @@ def test_verification(request):
     assert differences["heave Fn 0.3 together"] == pytest.approx(0.096, abs=0.02)
     assert differences["pitch Fn 0.3 apart"] == pytest.approx(0.098, abs=0.02)
     assert differences["heave Fn 0.75 apart"] == pytest.approx(0.183, abs=0.02)
+    at_30 = {theory: values[3] for theory, values in found["wedge_force"].items()}
+    assert at_30["similarity"] == 1.0
+    assert at_30["nonlinear"] == pytest.approx(1.0, abs=0.03)
+    assert at_30["logvinovich"] == pytest.approx(15.0857 / 14.0201, abs=1e-3)
+    assert at_30["wagner"] == pytest.approx(23.2547 / 14.0201, abs=1e-3)
+    assert at_30["von-karman"] < 1 < at_30["generalised-wagner"] < 1.1
+    assert at_30["chuang"] is None
     theories = found["theories"]
     assert theories["high-speed Fn 0.75"] == pytest.approx(0.054, abs=0.015)
     assert theories["high-speed Fn 0.3"] == pytest.approx(0.057, abs=0.015)
