@@ -11,6 +11,7 @@ from urllib.parse import parse_qsl, urlencode
 import ipywidgets as widgets
 
 from workbench import __version__
+from workbench.app.deck_pressure_inputs import DECK_PRESSURE_DEFAULTS
 from workbench.app.desk import Desk
 from workbench.app.form import Form
 from workbench.app.head import Head
@@ -138,6 +139,7 @@ class Page:
     def _tab_changed(self, *_: object) -> None:
         panel = self.panels[self.tabs.selected_index or 0]
         self.desk.needs_counts, self.desk.needs_scene = panel.needs_counts, panel.needs_scene
+        self.desk.needs_pressures = panel.needs_pressures
         self.desk.post()
 
     def _want_scene(self) -> None:
@@ -167,7 +169,7 @@ class Page:
         small = {name: inputs[name] for name in PERMALINK if name in inputs and inputs[name] != ""}
         small |= {
             name: inputs[name]
-            for name, usual in (METHOD_DEFAULTS | RUNNING_DEFAULTS).items()
+            for name, usual in (METHOD_DEFAULTS | RUNNING_DEFAULTS | DECK_PRESSURE_DEFAULTS).items()
             if name in inputs and inputs[name] != usual
         }
         with self._lock, self.head.hold_sync():

@@ -14,12 +14,14 @@ _WORDS = {
     "hull": "Solving the waves about the hull",
     "theories": "Comparing theories",
     "count": "Counting slams",
+    "pressure": "Pressure over the deck",
     "headings": "Solving the other headings",
 }
 _STOPPED = {
     "hull": "Stopped. The results below belong to former inputs.",
     "theories": "",
     "count": "Stopped. The slams were not counted for these inputs.",
+    "pressure": "Stopped. The pressure over the deck was not computed for these inputs.",
     "headings": "Stopped. The other headings were not solved.",
 }
 
