@@ -44,9 +44,9 @@ class Case:
     settings: TheorySettings
     within: RecommendedSettings
     running_state: RunningState
+    deck_pressure: DeckPressureSettings
     refinement: RecommendedSettings | None = None
     is_refined: bool = False
-    deck_pressure: DeckPressureSettings = DeckPressureSettings()
 
     @property
     def realisation(self) -> Realisation:
@@ -62,7 +62,13 @@ class Case:
     def deck_pressure_key(self) -> tuple:
         """What the pressure over the deck depends on."""
         real = self.pressure_realisation
-        return self.plan_key, self.design.wet_deck, self.condition, (real.hours, real.seed), self.deck_pressure
+        return (
+            self.plan_key,
+            self.design.wet_deck,
+            self.condition,
+            (real.hours, real.seed),
+            self.deck_pressure,
+        )
 
     @property
     def scene_key(self) -> tuple:

@@ -115,6 +115,8 @@ def scene_deck_view(scene: xr.Dataset, title: str = "") -> DeckView:
 def scene_history(scene: xr.Dataset) -> xr.Dataset:
     """Pressure over the deck of a scene as `DeckView.show` takes it."""
     if "deck_force" not in scene:
-        raise InputError("The scene holds no force over the deck; make it with the pressure of the wet-deck theory.")
+        raise InputError(
+            "The scene holds no force over the deck; make it with the pressure of the wet-deck theory."
+        )
     kept = ["pressure", "deck_force", "deck_force_x", "deck_force_y", "wetted_area"]
     return scene[kept].rename(pressure="deck_pressure")
