@@ -47,6 +47,7 @@ def pressure_area_figure(slams: xr.Dataset) -> Figure:
             axis.set_major_locator(LogLocator(subs=(1.0, 3.0) if axis is axes.yaxis else (1.0,)))
         axes.set_xlabel("area averaged over [m²]")
         axes.set_ylabel("average pressure [kPa]")
-        axes.legend(loc="lower left", borderaxespad=0.2)
+        axes.legend(loc="upper right", borderaxespad=0.2)
+        axes.set_ylim(top=4 * largest.max())
         style.grid_behind(axes)
     return figure

@@ -146,18 +146,20 @@ def table_card(panel: DeckSlamsPanel) -> Card:
         rows = []
         for rank, number in enumerate(hardest_slams(found.slams, LISTED), 1):
             one = found.slams.isel(slam=int(number))
+            megas = (number_words(one[name] / 1e6) for name in ("slam_force", "slam_impulse"))
             rows.append(
                 (
-                    str(rank), f"{float(one.slam_start):.1f} s",
-                    f"{float(one.slam_x):.1f} m, {float(one.slam_y):.1f} m",
-                    f"{number_words(one.slam_pressure / 1e3)} kPa", f"{number_words(one.slam_force / 1e6)} MN",
-                    f"{number_words(one.slam_impulse / 1e6)} MN s", f"{float(one.slam_duration):.2f} s",
-                    f"{number_words(one.slam_wetted_area)} m²",
+                    str(rank), f"{float(one.slam_start):.1f}", f"{float(one.slam_x):.1f}", f"{float(one.slam_y):.1f}",
+                    number_words(one.slam_pressure / 1e3), *megas, f"{float(one.slam_duration):.2f}",
+                    number_words(one.slam_wetted_area),
                 )
             )  # fmt: skip
         made.value = table(
             "The hardest slams by panel pressure",
-            ("", "begins at", "x and y", "panel pressure", "force", "impulse", "duration", "wetted area"), rows,
+            (
+                "", "begins at [s]", "x [m]", "y [m]", "panel pressure [kPa]", "force [MN]", "impulse [MN s]",
+                "duration [s]", "wetted area [m²]",
+            ), rows,
             f"{what_it_is(found)} x and y are those of the hardest panel; force and wetted area are the largest of "
             "the slam.",
         )  # fmt: skip

@@ -17,9 +17,7 @@ RANKS = 10
 MOST_KEPT = 24
 """Histories that are kept."""
 
-WAITING = (
-    "The slams are being computed; an hour of a rough sea takes some 12 s. The first slam is shown then."
-)
+WAITING = "The slams are being computed: an hour of a rough sea takes some 12 s, and more on a busy machine."
 DRY = "The deck stays dry in this realisation: there is no slam to show."
 
 _BY = {"slam_pressure": "pressure", "slam_force": "force"}
@@ -66,7 +64,7 @@ class SlamView:
         notes = (
             f"Averaged over {1e3 * history.attrs['time_step']:.3g} ms and over panels; the shorter, the higher the "
             "peaks.",
-            *relevant(quantities.warnings_of(history), found.findings),
+            *self._notes(found, history),
         )
         self.view.show(
             history,
@@ -75,6 +73,16 @@ class SlamView:
             notes=notes,
         )
         self._shown = wanted
+
+    @staticmethod
+    def _notes(found: DeckSlams, history: xr.Dataset) -> tuple[str, ...]:
+        """Return the limits of a history that do not stand under the envelope already."""
+        known = quantities.warnings_of(found.slams)
+        own = (line for line in quantities.warnings_of(history) if line not in known)
+        return (
+            "What is said under the largest panel pressure of all slams holds here, too.",
+            *relevant(own, found.findings),
+        )
 
     def _chosen(self, name: str, options: list) -> str:
         """Return a choice, or the first where the page sent something else."""

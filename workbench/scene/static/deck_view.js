@@ -343,7 +343,7 @@ function render({ model, el }) {
   }
 
   function sayPanel() {
-    let sentence = "Point at a panel, or move from panel to panel with the arrow keys, to read its pressure.";
+    let sentence = "Point at a panel, or use the arrow keys, to read its pressure.";
     if (panel) {
       const [i, j] = panel, cell = i * facts.y.length + j, { unit } = facts.field;
       sentence = `Panel at x ${words(facts.x[i])} m, y ${words(facts.y[j])} m: ${words(kilo(present()[cell]))} ${unit} now, `
@@ -360,7 +360,8 @@ function render({ model, el }) {
     say();
   }
 
-  const paintSoon = () => { cancelAnimationFrame(asked); asked = requestAnimationFrame(paint); };
+  // A film in step asks in every frame: what was asked for stays, so that it comes to be painted.
+  const paintSoon = () => { asked ||= requestAnimationFrame(() => { asked = 0; paint(); }); };
 
   function report(force) {
     const now = performance.now();
@@ -506,7 +507,7 @@ function render({ model, el }) {
     const message = model.get("message") || (ready() ? "" : "Nothing is shown yet.");
     part.message.textContent = message;
     part.message.hidden = !message;
-    for (const one of [part.body, part.footer, part.status]) one.hidden = Boolean(message);
+    for (const one of [part.body, part.footer, part.line]) one.hidden = Boolean(message);
     part.root.classList.toggle("dk-old", model.get("old"));
     part.notes.replaceChildren(...model.get("notes").map((note) => element("li", { text: note })));
     part.speedChoice.hidden = Boolean(linked());
@@ -581,6 +582,7 @@ function build(id) {
   part.shows.append(new Option("pressure now", "now"), new Option("largest so far", "largest"));
   part.limit = element("select", { "aria-label": "Pressure that the colours reach to", title: "Pressure that the colours reach to" });
   part.status = element("div", { class: "dk-status", role: "status" });
+  part.line = element("div", { class: "dk-line" }, part.status, part.shows, part.limit);
   part.plan = element("canvas", { class: "dk-plan", tabindex: "0", role: "img", "aria-label": "Wet deck from above with its pressure in bands, bow to the right; the arrow keys move from panel to panel" });
   part.panel = element("div", { class: "dk-panel", "aria-live": "polite" });
   part.plots = element("canvas", { class: "dk-plots", role: "img", "aria-label": "Force on the deck and wetted area against time; drag to move in time" });
@@ -597,7 +599,7 @@ function build(id) {
   part.footer = element("div", { class: "dk-footer" }, part.play, element("label", { for: `${id}-time`, text: "Time" }), part.range, part.clock, part.speedChoice, part.follows, part.save);
   part.notes = element("ul", { class: "dk-notes" });
   part.root = element("div", { class: "dk", role: "group", "aria-labelledby": `${id}-title`, "data-lm-suppress-shortcuts": "true" },
-    element("div", { class: "dk-header" }, part.title, part.choices, part.shows, part.limit), part.status, part.message, part.body, part.footer, part.notes);
+    element("div", { class: "dk-header" }, part.title, part.choices), part.line, part.message, part.body, part.footer, part.notes);
   return part;
 }
 
