@@ -40,8 +40,8 @@ PERMALINK = (
 """Inputs that the address of the page holds, beside the choices of the method that are not the usual ones."""
 
 FIRST_TAB = 1
-ROOM_ABOVE = 215
-"""Height of what stands above and below the animation [px]."""
+ROOM_ABOVE = 475
+"""Height of what stands above the animation, and of the deck in plan below it [px]."""
 
 
 class Page:
@@ -115,7 +115,7 @@ class Page:
         elif kind == "hello":
             height = content.get("height")
             if isinstance(height, int | float):
-                self.panels[3].height = int(min(max(height - ROOM_ABOVE, 460), 900))
+                self.panels[3].height = int(min(max(height - ROOM_ABOVE, 420), 900))
             self._open_again(content.get("state"), content.get("query"))
 
     def _open_again(self, state: object, query: object) -> None:
