@@ -14,6 +14,7 @@ import typer
 
 from workbench import (
     __version__,
+    conditions_command,
     design_commands,
     designs,
     entry_command,
@@ -170,7 +171,8 @@ application.command("designs")(design_commands.list_designs)
 application.command("show")(design_commands.show)
 application.command("simulate")(simulate_command.simulate)
 application.command("records")(record_commands.records)
-for command in (*slam_command.COMMANDS, *tool_commands.COMMANDS, *entry_command.COMMANDS):
+_MORE = slam_command, tool_commands, entry_command, conditions_command
+for command in (command for module in _MORE for command in module.COMMANDS):
     application.command(command.__name__.removeprefix("open_"))(command)
 
 

@@ -16,7 +16,8 @@ BAND_DEVIATES = 2.576
 """Normal deviate of the 99 % sampling band of a count [-]."""
 
 CLASSES = 5
-_GROUPS = 24
+PARTS = 24
+"""Equal parts of a record in which slams are counted, for the spread of their number."""
 
 
 def entries(
@@ -138,13 +139,11 @@ def counts(events: xr.Dataset, deck: xr.Dataset) -> xr.Dataset:
     n_x, n_y = deck.height.shape
     row = np.searchsorted(deck.x.values, events.event_x.values)
     column = np.searchsorted(deck.y.values, events.event_y.values)
-    part = np.minimum((events.event_time.values / duration * _GROUPS).astype(int), _GROUPS - 1)
-    grouped = np.zeros((_GROUPS, n_x, n_y))
+    part = parts_of_record(events.event_time.values, duration)
+    grouped = np.zeros((PARTS, n_x, n_y))
     np.add.at(grouped, (part, row, column), 1.0)
     number = grouped.sum(axis=0)
-    spread = grouped.var(axis=0, ddof=1)
-    busy = number >= _GROUPS
-    dispersion = max(1.0, float(np.mean(spread[busy] * _GROUPS / number[busy]))) if busy.any() else 1.0
+    dispersion = grouping_dispersion(grouped)
     half_width = BAND_DEVIATES * np.sqrt(dispersion)
     centre = number + half_width**2 / 2
     reach = half_width * np.sqrt(number + half_width**2 / 4)
@@ -160,6 +159,24 @@ def counts(events: xr.Dataset, deck: xr.Dataset) -> xr.Dataset:
         counted_band_low=(dims, low * per_hour),
         counted_band_high=(dims, high * per_hour),
     )
+
+
+def parts_of_record(times: np.ndarray, duration: float) -> np.ndarray:
+    """Index of the equal part of the record that each time [s] falls in."""
+    return np.minimum((times / duration * PARTS).astype(int), PARTS - 1)
+
+
+def grouping_dispersion(grouped: np.ndarray) -> float:
+    """Variance of the number of slams over that of a Poisson process [-], at least 1.
+
+    Parameters
+    ----------
+    grouped : numbers in equal parts of a record (part, ...); pooled over all points with a slam a part or more.
+    """
+    parts, number = len(grouped), grouped.sum(axis=0)
+    spread = grouped.var(axis=0, ddof=1)
+    busy = number >= parts
+    return max(1.0, float(np.mean(spread[busy] * parts / number[busy]))) if busy.any() else 1.0
 
 
 def velocity_classes(events: xr.Dataset, classes: int = CLASSES) -> xr.Dataset:

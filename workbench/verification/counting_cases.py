@@ -52,7 +52,8 @@ def flat_point(height: float) -> xr.Dataset:
 
 
 @cache
-def _closed_form(threshold: float) -> tuple[xr.Dataset, xr.Dataset]:
+def closed_form(threshold: float) -> tuple[xr.Dataset, xr.Dataset]:
+    """Return moments and statistics of the point."""
     omega = np.linspace(0.3, 3.0, 400)
     relative = still_point(omega, np.pi, SPEED)
     energy = xr.DataArray(
@@ -63,7 +64,8 @@ def _closed_form(threshold: float) -> tuple[xr.Dataset, xr.Dataset]:
 
 
 @cache
-def _counted(threshold: float) -> xr.Dataset:
+def counted(threshold: float) -> xr.Dataset:
+    """Return the entries of the record."""
     condition = Condition(speed=SPEED, wave_direction=np.pi, sea_state=SEA)
     components = wave_components(condition, Realisation(seed=1964, components=600), 0.3, 3.0)
     amplitudes = complex_amplitudes(components)[:, None, None]
@@ -79,13 +81,13 @@ def _counted(threshold: float) -> xr.Dataset:
 
 
 def _counted_over_expected(threshold: float) -> float:
-    expected = float(_closed_form(threshold)[1].slams_per_hour.item()) * HOURS
-    return _counted(threshold).sizes["event"] / expected
+    expected = float(closed_form(threshold)[1].slams_per_hour.item()) * HOURS
+    return counted(threshold).sizes["event"] / expected
 
 
 def _entry_velocity_ratio(threshold: float) -> float:
-    expected = float(_closed_form(threshold)[1].mean_entry_velocity.item())
-    return float(_counted(threshold).entry_velocity.mean()) / expected
+    expected = float(closed_form(threshold)[1].mean_entry_velocity.item())
+    return float(counted(threshold).entry_velocity.mean()) / expected
 
 
 def cases() -> list[Case]:

@@ -73,14 +73,23 @@ def _ship(moving: Design, knots: int, headings: tuple[int, ...]) -> pipeline.Res
     return pipeline.response(moving, knots * KNOT, np.radians([180.0 - off for off in headings]))
 
 
+def austal_base() -> Design:
+    """Return the stand-in for the Austal 63 with T-foils."""
+    return _austal()[0]
+
+
+def austal_response(knots: int) -> pipeline.Response:
+    """Response of the Austal 63, with its own deck or a moved one, for all headings."""
+    return _ship(same_motions(austal_base()), knots, OFF_HEAD)
+
+
 @cache
 def austal(
     hull: int, knots: int, height: float = 4.0, period: float = 8.0, off: int = 0
 ) -> tuple[float, float]:
     """Slams per hour of the most exposed point of the deck, and their mean velocity past the water [m/s]."""
     chosen = _austal()[hull]
-    headings = OFF_HEAD if knots == AUSTAL_KNOTS[0] and hull in (0, 3, 4) else (0,)
-    ship = _ship(same_motions(chosen), knots, headings)
+    ship = austal_response(knots) if hull in (0, 3, 4) else _ship(same_motions(chosen), knots, (0,))
     condition = Condition(
         speed=knots * KNOT,
         wave_direction=float(np.radians(180.0 - off)),

@@ -6,6 +6,7 @@ from typing import Any
 
 from workbench.verification import (
     body_cases,
+    condition_cases,
     counting_cases,
     delft_cases,
     encounter_cases,
@@ -15,7 +16,9 @@ from workbench.verification import (
     impact_cases,
     model_cases,
     parametric_cases,
+    pressure_statistics_cases,
     record_cases,
+    rule_cases,
     sail_cases,
     sea_cases,
     section_cases,
@@ -30,6 +33,8 @@ GROUPS = {
     "water entry of sections": entry_cases,
     "seas and statistics": sea_cases,
     "counting": counting_cases,
+    "statistics of slam pressure": pressure_statistics_cases,
+    "rule pressures": rule_cases,
     "encounter, sea areas and limits": encounter_cases,
     "measured records": record_cases,
     "bodies of known coefficients": body_cases,
@@ -40,6 +45,7 @@ GROUPS = {
     "heavy-lift model": model_cases,
     "sailing multihulls": sail_cases,
     "parametric studies": parametric_cases,
+    "studies over conditions": condition_cases,
     "simulation in time": simulation_cases,
     "Delft 372": delft_cases,
 }
