@@ -7,6 +7,7 @@ from workbench import quantities
 from workbench.app.model import DeckSlams
 from workbench.app.panels.deck_slams import CARDS
 from workbench.app.panels.panel import Drawing, card, grid, table
+from workbench.app.panels.pressure_beside import FURTHER_CARDS
 from workbench.app.panels.slamming import SlammingPanel
 from workbench.app.theory_in_use import relevant
 from workbench.figures.deck_plan import deck_plan_figure
@@ -83,7 +84,7 @@ class PressurePanel(SlammingPanel):
             Drawing(self.histogram, self._counted_key, self._histogram_figure, self._histogram_words),
         ]
         self.hardest = card()
-        self.cards = [make(self) for make in CARDS]
+        self.cards = [make(self) for make in (*CARDS, *FURTHER_CARDS)]
         self.drawings += [drawing for one in self.cards for drawing in one.drawings]
         computed = [one.widget for one in self.cards]
         return [grid(self.expected, *computed, self.histogram, self.hardest, self.event)]
