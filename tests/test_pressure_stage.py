@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from workbench import pipeline, pressure_stage
+from workbench import animation, pipeline, pressure_stage
 from workbench.cache import load_dataset
 from workbench.cli import main
 from workbench.errors import InputError
@@ -40,12 +40,16 @@ def test_every_counted_entry_lies_in_a_slam_and_panels_that_entered_were_pressed
     slams = pressure_stage.slam_pressures(realised(ship))
     starts, ends = slams.slam_start.values, (slams.slam_start + slams.slam_duration).values
     pressed = []
-    for time, x, y in zip(events.event_time.values, events.event_x.values, events.event_y.values, strict=True):
+    for time, x, y in zip(
+        events.event_time.values, events.event_x.values, events.event_y.values, strict=True
+    ):
         inside = np.flatnonzero((starts <= time) & (time <= ends))
         assert inside.size
         pressed.append(float(slams.slam_panel_pressure.isel(slam=inside[0]).sel(x=x, y=y)) > 0)
     fast = events.entry_velocity.values > np.median(events.entry_velocity.values)
-    assert np.all(np.array(pressed)[fast])  # a slow entry late in a slam may find the suction of the water that leaves
+    assert np.all(
+        np.array(pressed)[fast]
+    )  # a slow entry late in a slam may find the suction of the water that leaves
     assert np.mean(pressed) > 0.9
 
 
@@ -119,7 +123,17 @@ def run(capsys, *arguments):
 def test_command_gives_envelope_extremes_and_force_history(capsys, tmp_path):
     table, history = tmp_path / "slams.csv", tmp_path / "hardest.nc"
     code, out, _ = run(
-        capsys, "pressure", "delft-372", *SEA, "--clearance", "0.09", "--out", table, "--history", history, "--json"
+        capsys,
+        "pressure",
+        "delft-372",
+        *SEA,
+        "--clearance",
+        "0.09",
+        "--out",
+        table,
+        "--history",
+        history,
+        "--json",
     )
     assert code == 0
     values = json.loads(out)
@@ -134,7 +148,9 @@ def test_command_gives_envelope_extremes_and_force_history(capsys, tmp_path):
     found = load_dataset(history)
     assert found.deck_pressure.dims == ("time", "x", "y")
     assert found.deck_pressure.attrs["units"] == "Pa"
-    code, text, err = run(capsys, "pressure", "delft-372", *SEA, "--clearance", "0.09", "--reduction", "pabst")
+    code, text, err = run(
+        capsys, "pressure", "delft-372", *SEA, "--clearance", "0.09", "--reduction", "pabst"
+    )
     assert "largest panel pressure" in text
     assert "kPa" in text
     assert "warning:" in err
@@ -169,3 +185,39 @@ def test_command_refuses_in_one_sentence(capsys, options, words):
     assert err.startswith("workbench: ")
     assert words in err
     assert len(err.strip().splitlines()) == 1
+
+
+def test_film_shows_the_largest_pressure_about_each_picture(ship):
+    deck = realised(ship, time_step=0.01)
+    slams = pressure_stage.slam_pressures(deck)
+    hardest = slams.isel(slam=int(pressure_stage.hardest_slams(slams, 1)[0]))
+    start, step, frames = float(hardest.slam_start), 0.1, 30
+    film = animation.deck_pressure_film(deck, start, step, frames)
+    assert film.attrs["time_step"] == pytest.approx(0.01)
+    np.testing.assert_allclose(film.time, step * np.arange(frames))
+    fine = pressure_stage.slam_history(deck, start - step / 2, frames * step)
+    for name in ("deck_pressure", "deck_force", "wetted_area"):
+        grouped = fine[name].values.reshape(frames, 10, *fine[name].shape[1:]).max(axis=1)
+        np.testing.assert_allclose(film[name].values, grouped, rtol=1e-5, atol=1e-3)
+    picture = int(film.deck_force.values.argmax())
+    moment = int(fine.deck_force.values.argmax())
+    assert moment // 10 == picture
+    assert float(film.deck_force_x[picture]) == pytest.approx(float(fine.deck_force_x[moment]), rel=1e-5)
+
+
+def test_animation_takes_the_pressure_of_the_theory(ship):
+    _, found, relative, slam = ship
+    realisation = Realisation(hours=0.05)
+    events, _ = pipeline.counted_slams(found, relative, slam, realisation)
+    plain = animation.animation_scene(found, relative, slam, events, realisation, frames=160)
+    scene = animation.animation_scene(
+        found, relative, slam, events, realisation, realised=realised(ship), frames=160
+    )
+    assert "deck_force" not in plain
+    assert scene.sizes == plain.sizes
+    np.testing.assert_allclose(scene.elevation, plain.elevation)
+    assert not np.allclose(scene.pressure, plain.pressure)
+    pressed = scene.pressure.max(("x", "y")).values > 0
+    assert pressed.any()
+    assert np.all(scene.wetted_area.values[pressed] > 0)
+    assert scene.attrs["pressure_step"] <= 0.02

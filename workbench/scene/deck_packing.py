@@ -12,7 +12,7 @@ LARGEST = 1e6
 HIGHEST = 65535
 """Largest 16-bit integer that a pressure is stored as."""
 
-HISTORIES = ("deck_force", "wetted_area", "largest_pressure", "deck_force_x", "deck_force_y")
+HISTORIES = ("deck_force", "wetted_area", "deck_force_x", "deck_force_y")
 """Curves over time, in the order of their block; NaN where the force has no place."""
 
 _SCALES = ((1e6, "MN"), (1e3, "kN"))
@@ -58,7 +58,6 @@ def packed_history(history: xr.Dataset, *, title: str = "", slow: float = 10.0, 
         "stored": [least, most],
         "field": field,
         "force": {"unit": unit, "scale": scale},
-        "average": {name: float(history.attrs[name]) for name in ("time_step",) if name in history.attrs},
     }
     return {
         "facts": facts,
@@ -69,11 +68,7 @@ def packed_history(history: xr.Dataset, *, title: str = "", slow: float = 10.0, 
 
 def _thinned(history: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Times, pressures (time, x, y), curves (curve, time), and how many steps each of them stands for."""
-    missing = [
-        name
-        for name in ("deck_pressure", "deck_force", "deck_force_x", "deck_force_y", "wetted_area")
-        if name not in history
-    ]
+    missing = [name for name in ("deck_pressure", *HISTORIES) if name not in history]
     if missing:
         raise InputError(
             f"A history of the pressure over the deck needs {', '.join(missing)}; take it from slam_history."
@@ -88,17 +83,14 @@ def _thinned(history: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray, i
     steps = np.diff(time)
     if np.ptp(steps) > 1e-3 * steps.mean():
         raise InputError("The times of a history of the pressure must be evenly spaced; resample it.")
-    curves = [
-        history[name].values if name in history else pressure.max(axis=(1, 2), initial=0.0)
-        for name in HISTORIES
-    ]
+    curves = [history[name].values for name in HISTORIES]
     every = max(1, int(np.ceil(2 * pressure.size / LARGEST)))
     if every == 1:
         return time, pressure, np.array(curves), 1
     first = np.arange(0, len(time), every)
     force = curves[0]
     hardest = np.array([start + int(np.argmax(force[start : start + every])) for start in first])
-    thinned = [np.maximum.reduceat(curve, first) for curve in curves[:3]]
-    thinned += [curve[hardest] for curve in curves[3:]]
+    thinned = [np.maximum.reduceat(curve, first) for curve in curves[:2]]
+    thinned += [curve[hardest] for curve in curves[2:]]
     middle = (every - 1) / 2 * steps.mean()
     return time[first] + middle, np.maximum.reduceat(pressure, first, axis=0), np.array(thinned), every

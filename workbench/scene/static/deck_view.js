@@ -263,7 +263,7 @@ function render({ model, el }) {
   function paintForce(c) {
     let most = 0;
     for (let k = 0; k < facts.count; k += 1) most = Math.max(most, curves[k]);
-    const [x, y] = [curve(3), curve(4)];
+    const [x, y] = [curve(2), curve(3)];
     if (!(curve(0) > 0.01 * most) || !Number.isFinite(x) || x < box.aft || x > box.fore || y < box.low || y > box.high) return;
     const [at, down] = [box.X(x), box.Y(y)];
     for (const [colour, width] of [["#fff", 5], [MARK, 2.4]]) {
