@@ -143,7 +143,6 @@ def test_choice_of_the_pressure_and_seed_are_computed_anew_and_old_ones_greyed(p
     assert page.model.counted.key == page.model.findings.case.counting_key
     assert not any(drawing.view.old for drawing in panel.drawings)
     page.model.change("seed", 1)
-    assert page.desk.settle(60)
 
 
 def test_pressure_over_the_deck_is_stopped_and_taken_up_again(page, monkeypatch):
@@ -172,7 +171,6 @@ def test_pressure_over_the_deck_is_stopped_and_taken_up_again(page, monkeypatch)
     assert page.desk.settle(60)
     assert not panel.cards[1].widget.old
     page.model.change("seed", 1)
-    assert page.desk.settle(60)
 
 
 def test_heading_that_is_not_computed_is_a_problem_and_greys(page):
