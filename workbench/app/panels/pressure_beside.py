@@ -33,7 +33,7 @@ def exceedance_card(panel: DeckSlamsPanel) -> Card:
         place = hardest_place(found.slams)
         return (
             f"At the panel with the largest pressure, x {place['x']:.1f} m, y {place['y']:.1f} m. The closed form is "
-            f"of local peaks by the law {found.findings.case.law.name}, the counted one of averages over the panel.",
+            f"of local peaks by the pressure law chosen, the counted one of averages over the panel.",
         )
 
     return Card(view, [Drawing(view, panel.deck_slams, figure, words, notes)])
@@ -87,7 +87,9 @@ def rules_table(found: DeckSlams) -> str:
     rules = rule_pressures(case.design, case.condition, panel_area=area, x=slams.x.values)
     along = slams.pressure_envelope.max("y").values
     hours = found.realised.realisation.hours
-    rows = [_row(f"computed here: largest of {hours:g} h", along, slams.x.values, place["x"], "wet-deck theory")]
+    rows = [
+        _row(f"computed here: largest of {hours:g} h", along, slams.x.values, place["x"], "wet-deck theory")
+    ]
     for number in range(rules.sizes["rule"]):
         one = rules.isel(rule=number)
         name = f"{one.rule_society.item()}, {one.rule_reference.item()}"

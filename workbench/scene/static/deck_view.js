@@ -281,8 +281,9 @@ function render({ model, el }) {
 
   function paintPlots() {
     const [c, width, tall] = prepare(part.plots, 2 * PLOT + 40);
-    const left = MARGIN.left, right = width - MARGIN.right, X = (moment) => left + ((moment - facts.start) / (end() - facts.start)) * (right - left);
-    part.plots.span = [left, right];
+    const left = MARGIN.left, right = width - MARGIN.right, first = facts.start - facts.step / 2, last = end() + facts.step / 2;
+    const X = (moment) => left + ((moment - first) / (last - first)) * (right - left);
+    part.plots.span = [left, right, first, last];
     const rows = [["Force", facts.force.unit, 0, facts.force.scale], ["Wetted area", "m²", 1, 1]];
     rows.forEach(([title, unit, row, scale], number) => {
       const top = number * PLOT + 22, bottom = (number + 1) * PLOT - 2;
@@ -312,7 +313,7 @@ function render({ model, el }) {
       c.fill();
     });
     const base = 2 * PLOT - 2;
-    for (const [at, label] of ticks(facts.start - facts.origin, end() - facts.origin, Math.max(3, (right - left) / 90))) {
+    for (const [at, label] of ticks(first - facts.origin, last - facts.origin, Math.max(3, (right - left) / 90))) {
       line(c, X(at + facts.origin), base, X(at + facts.origin), base + 4, SOFT);
       text(c, label, X(at + facts.origin), base + 12, "center");
     }
@@ -463,9 +464,9 @@ function render({ model, el }) {
   const plotTime = (event) => {
     if (event.type === "pointermove" && !(event.buttons & 1)) return;
     if (event.type === "pointerdown") part.plots.setPointerCapture(event.pointerId);
-    const [left, right] = part.plots.span;
+    const [left, right, first, last] = part.plots.span;
     stop();
-    goTo(facts.start + ((event.offsetX - left) / (right - left)) * (end() - facts.start), event.type === "pointerdown");
+    goTo(first + ((event.offsetX - left) / (right - left)) * (last - first), event.type === "pointerdown");
   };
   part.plots.addEventListener("pointerdown", plotTime);
   part.plots.addEventListener("pointermove", plotTime);
@@ -505,6 +506,7 @@ function render({ model, el }) {
 
   function update() {
     const message = model.get("message") || (ready() ? "" : "Nothing is shown yet.");
+    part.title.textContent = (!message && facts.title) || "Pressure over the wet deck";
     part.message.textContent = message;
     part.message.hidden = !message;
     for (const one of [part.body, part.footer, part.line]) one.hidden = Boolean(message);
@@ -516,7 +518,6 @@ function render({ model, el }) {
 
   function renew() {
     read();
-    part.title.textContent = facts.title || "Pressure over the wet deck";
     if (ready()) {
       time = Math.min(Math.max(model.get("time"), facts.start), end());
       Object.assign(part.range, { min: facts.start, max: end(), step: "any" });
