@@ -76,3 +76,8 @@ class AnimationPanel(SlammingPanel):
             time=self.sea_view.time,
             notes=notes,
         )
+        if not float(scene.pressure.max()) > 0:
+            self.deck_view.message, self.deck_view.notes = (
+                "The deck stays dry in this stretch of the sea.",
+                [],
+            )

@@ -144,20 +144,23 @@ def table_card(panel: DeckSlamsPanel) -> Card:
             return
         listed[:] = [found]
         rows = []
+        largest = float(found.slams.slam_force.max()) if found.slams.sizes["slam"] else 0.0
+        scale, prefix = (1e6, "M") if largest >= 1e6 else (1e3, "k")
         for rank, number in enumerate(hardest_slams(found.slams, LISTED), 1):
             one = found.slams.isel(slam=int(number))
-            megas = (number_words(one[name] / 1e6) for name in ("slam_force", "slam_impulse"))
+            loads = (number_words(one[name] / scale) for name in ("slam_force", "slam_impulse"))
             rows.append(
                 (
                     str(rank), f"{float(one.slam_start):.1f}", f"{float(one.slam_x):.1f}", f"{float(one.slam_y):.1f}",
-                    number_words(one.slam_pressure / 1e3), *megas, f"{float(one.slam_duration):.2f}",
+                    number_words(one.slam_pressure / 1e3), *loads, f"{float(one.slam_duration):.2f}",
                     number_words(one.slam_wetted_area),
                 )
             )  # fmt: skip
         made.value = table(
             "The hardest slams by panel pressure",
             (
-                "", "begins at [s]", "x [m]", "y [m]", "panel pressure [kPa]", "force [MN]", "impulse [MN s]",
+                "", "begins at [s]", "x [m]", "y [m]", "panel pressure [kPa]", f"force [{prefix}N]",
+                f"impulse [{prefix}N s]",
                 "duration [s]", "wetted area [m²]",
             ), rows,
             f"{what_it_is(found)} x and y are those of the hardest panel; force and wetted area are the largest of "
