@@ -14,6 +14,9 @@ from workbench.design import Design, Hull, MassProperties, WetDeck
 from workbench.geometry.hydrostatics import hydrostatics
 from workbench.shapes import Wigley
 
+VERDICTS = pytest.StashKey[dict]()
+"""Verdicts of the verification cases by id, where the notebook that runs them all was run in this session."""
+
 
 def wigley_twin(spacing: float = 10.0, **deck) -> Design:
     """A 40 m twin of Wigley hulls that floats level, with a plain wet deck."""

@@ -25,11 +25,15 @@ from workbench.hulls.library import design
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.impact.pressure import PressureLaw
 from workbench.profile_runs import exceedance_of_profile
+from workbench.running_state import RunningState
+from workbench.sailing import sailing_design
+from workbench.sea_energy import wave_energy
 from workbench.seas import Condition, SeaState
 from workbench.slamming.direct_statistics import direct_statistics
 from workbench.slamming.extremes import largest_peak_pressure
 from workbench.slamming.operating_profile import OperatingProfile, profile_exceedance
 from workbench.slamming.pressure_statistics import largest_pressures
+from workbench.slamming.statistics import response_moments
 
 QUICK = StripSettings(stations=21, panels=16, frequencies=12)
 SHIP = design("austal-63")
@@ -150,14 +154,27 @@ def test_closing_velocity_counts_every_crossing(found):
 
 
 def test_a_heeled_ship_has_her_deck_heeled():
+    """Sunk with the ship, lower on the side that is down, to port for a heel below 0; the sailing theory."""
+    heel, heading, ship = np.radians(-2.0), np.radians(135.0), design("crowther-318")
     sailing = ConditionStudy(
-        name="heeled", speeds=(5.0,), heels=(np.radians(-2.0),), wave_directions=(np.radians(135.0),),
-        heights=(1.5,), periods=(4.0,), theory="sailing",
-        places=(DeckPlace(name="port", coefficient=10.0, y=(3.0, 5.0)),),
+        name="heeled", speeds=(5.0,), heels=(heel,), wave_directions=(heading,), heights=(1.5,), periods=(4.0,),
+        theory="sailing", places=(DeckPlace(name="sides", coefficient=10.0, y=(3.0, 5.0)),),
     )  # fmt: skip
     coarse = StripSettings(formulation="heave-only", stations=15, panels=12, frequencies=10)
-    found = slamming_of_conditions(design("crowther-318"), sailing, coarse)
-    assert float(found.worst_y.item()) > 3.0  # the low side, down to port
+    found = slamming_of_conditions(ship, sailing, coarse)
+    afloat = sailing_design(ship, heel)
+    state = RunningState(locked=("surge", "sway", "yaw"))
+    response = pipeline.response(afloat, 5.0, [heading], None, coarse, running_state=state)
+    deck = wet_deck_grid(ship.wet_deck, 40, 11)
+    height = deck.height - afloat.hull.sinkage - deck.y * np.tan(np.radians(2.0))
+    relative = pipeline.deck_response(response, ship.wet_deck, (40, 11))
+    condition = sailing.condition(5.0, heading, 1.5, 4.0)
+    moments = response_moments(relative, wave_energy(condition, relative.omega, relative.wave_direction))
+    slams = direct_statistics(moments, height).slams_per_hour
+    assert float(found.slams_per_hour.item()) == pytest.approx(
+        float(slams.where(np.abs(deck.y) >= 3.0).max()), rel=1e-9
+    )
+    assert afloat.hull.sinkage != 0.0
 
 
 def test_exceedance_over_an_operating_profile():

@@ -4,8 +4,9 @@ import json
 
 import numpy as np
 import pytest
+import xarray as xr
 
-from workbench import animation, pipeline, pressure_stage
+from workbench import animation, pipeline, pressure_stage, pressure_tables
 from workbench.cache import load_dataset
 from workbench.cli import main
 from workbench.errors import InputError
@@ -35,7 +36,7 @@ def realised(ship, hours=0.05, **settings):
 
 
 def test_every_counted_entry_lies_in_a_slam_and_panels_that_entered_were_pressed(ship):
-    design, found, relative, slam = ship
+    _, found, relative, slam = ship
     events, _ = pipeline.counted_slams(found, relative, slam, Realisation(hours=0.05))
     slams = pressure_stage.slam_pressures(realised(ship))
     starts, ends = slams.slam_start.values, (slams.slam_start + slams.slam_duration).values
@@ -92,6 +93,33 @@ def test_results_say_what_they_are_of_and_how_far_they_hold(ship):
     assert "Chuang" not in slams.attrs["warnings"]
 
 
+def test_panels_low_beside_the_hulls_do_not_keep_a_slam_from_ending(ship):
+    design, found, relative, _ = ship
+    sea = SeaState(significant_wave_height=3.0, peak_period=8.0)
+    condition = Condition(speed=10.0, wave_direction=np.pi, sea_state=sea)
+    beside_the_hulls = xr.zeros_like(ship[3].deck.height)
+    beside_the_hulls[:, [0, -1]] = 2.55  # the water stands 5 cm below the deck there
+    slam = pipeline.slamming(found, relative, design.wet_deck, condition, steady_elevation=beside_the_hulls)
+    deck = pressure_stage.RealisedDeck(found, relative, slam, design.wet_deck, Realisation(hours=0.05))
+    slams = pressure_stage.slam_pressures(deck)
+    usual = pressure_stage.slam_pressures(realised(ship))
+    assert slams.sizes["slam"] == pytest.approx(usual.sizes["slam"], abs=4)
+    assert "mark no slams of their own" in slams.attrs["warnings"]
+    assert "mark no slams" not in usual.attrs["warnings"]
+
+
+def test_extremes_of_a_longer_time_are_larger_and_lie_in_their_bands(ship):
+    slams = pressure_stage.slam_pressures(realised(ship, hours=0.5))
+    short, long = (pressure_tables.extremes_table(slams, hours, 0.01) for hours in (0.5, 5.0))
+    for name in ("deck", "hardest_panel"):
+        low, high = long[name]["most_probable_band"]
+        assert low <= long[name]["most_probable_largest"] <= high
+        assert long[name]["most_probable_largest"] > short[name]["most_probable_largest"]
+        assert short[name]["exceeded_with_risk"] > short[name]["most_probable_largest"]
+    assert long["hardest_panel"]["most_probable_largest"] <= long["deck"]["most_probable_band"][1]
+    assert short["deck"]["most_probable_largest"] == pytest.approx(float(slams.slam_pressure.max()), rel=0.5)
+
+
 def test_a_deck_that_never_slams(ship):
     design, found, relative, _ = ship
     calm = Condition(
@@ -142,6 +170,11 @@ def test_command_gives_envelope_extremes_and_force_history(capsys, tmp_path):
     assert values["quantiles"]["1"]["slam_pressure"] == pytest.approx(values["hardest"]["slam_pressure"])
     assert len(values["force_history"]["time"]) == len(values["force_history"]["force"]) > 20
     assert values["slams"] > 3
+    assert values["extremes"]["hours"] == 0.02
+    low, high = values["extremes"]["deck"]["most_probable_band"]
+    assert low <= values["extremes"]["deck"]["most_probable_largest"] <= high
+    rules = {row["rule"] for row in values["rule_pressures"]["rules"]}
+    assert rules == {"gl-hsc", "abs-hsc", "dnv-hslc", "lr-ssc"}
     rows = [line for line in table.read_text().splitlines() if not line.startswith("#")]
     assert rows[0].startswith("slam_start [s],slam_duration [s],slam_pressure [Pa]")
     assert len(rows) == values["slams"] + 1

@@ -15,6 +15,7 @@ import typer
 from workbench import (
     __version__,
     conditions_command,
+    cross_structure_command,
     design_commands,
     designs,
     entry_command,
@@ -171,8 +172,14 @@ application.command("designs")(design_commands.list_designs)
 application.command("show")(design_commands.show)
 application.command("simulate")(simulate_command.simulate)
 application.command("records")(record_commands.records)
-_MORE = slam_command, tool_commands, entry_command, conditions_command
-for command in (command for module in _MORE for command in module.COMMANDS):
+application.command("cross-structure")(cross_structure_command.slam)
+application.command("slam-record")(cross_structure_command.slam_record)
+for command in (
+    *slam_command.COMMANDS,
+    *tool_commands.COMMANDS,
+    *entry_command.COMMANDS,
+    *conditions_command.COMMANDS,
+):
     application.command(command.__name__.removeprefix("open_"))(command)
 
 

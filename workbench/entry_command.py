@@ -14,9 +14,11 @@ from workbench.command_inputs import JsonOption
 from workbench.conventions import SEAWATER_DENSITY
 from workbench.errors import InputError, checked_number
 from workbench.impact import entry as water_entry
+from workbench.impact.nonlinear_start import first_penetration
 from workbench.impact.section import Circle, Parabola, Section, TableSection, Wedge
 from workbench.quantities import warnings_of
 
+MOST_INSTANTS = 1000
 SHALLOW = 0.05
 """Penetration over the radius of a parabola or circle where none is given."""
 
@@ -105,6 +107,29 @@ def entry_values(found: xr.Dataset, section: Section, density: float, index: int
     }
 
 
+def _instants(section: Section, method: str, depth: float, count: int) -> np.ndarray:
+    """Penetrations at which the values are taken [m]: the last, or so many from the start to it."""
+    if count < 2:
+        return np.array([depth])
+    first = first_penetration(section) if method == "nonlinear" else 0.0
+    return np.linspace(max(depth / count, min(first, depth / 2)), depth, count)
+
+
+def history_values(found: xr.Dataset) -> dict[str, list[float | None]]:
+    """Return the arrays that ``--history`` prints; a value that a theory does not have is None."""
+    names = {
+        "time": "time",
+        "penetration": "penetration",
+        "force_per_length": "section_force",
+        "peak_pressure": "peak_pressure",
+        "wetted_half_breadth": "wetted_half_breadth",
+    }
+    return {
+        key: [float(value) if np.isfinite(value) else None for value in found[name].to_numpy()]
+        for key, name in names.items()
+    }
+
+
 def entry(
     section: Annotated[
         str, typer.Option(help="wedge, parabola, circle, or a CSV file of y, z [m] from the centreline out.")
@@ -122,6 +147,10 @@ def entry(
         typer.Option(help="Depth below calm water at which the values are taken [m]; shallow if left out."),
     ] = None,
     density: Annotated[float, typer.Option(help="Of the water [kg/m3].")] = SEAWATER_DENSITY,
+    history: Annotated[
+        int,
+        typer.Option(help="Number of instants from the start to the penetration to print as arrays (JSON)."),
+    ] = 0,
     as_json: JsonOption = False,
 ) -> None:
     """Print peak pressure and force of a section that enters calm water."""
@@ -132,13 +161,17 @@ def entry(
     if penetration is not None:
         checked_number("penetration", penetration, "m", above=0)
     depth = _penetration(shape) if penetration is None else penetration
-    found = water_entry.entry(shape, velocity, method, density, [depth / velocity])
+    checked_number("number of instants of the history", history, at_least=0, at_most=MOST_INSTANTS)
+    times = _instants(shape, method, depth, history) / velocity
+    found = water_entry.entry(shape, velocity, method, density, times)
     values = entry_values(found, shape, density)
+    if history:
+        values["history"] = history_values(found)
     if as_json:
         print(json.dumps(values, allow_nan=False))
         return
     for name, value in values.items():
-        if name != "warnings":
+        if name not in ("warnings", "history"):
             text = f"{value:.6g}" if isinstance(value, float) else value or "-"
             print(f"{name.replace('_', ' '):27s}{text}")
     for sentence in values["warnings"]:

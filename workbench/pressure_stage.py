@@ -29,8 +29,12 @@ STRIP_NOTE = (
     "Each strip of the deck is a flow in its own plane, and the motions are those without slams: forces over large "
     "areas are upper bounds, pressures over a panel are what the water gives at that entry."
 )
+MARKING = 0.5
+"""Least height of a panel that marks a slam by getting wet, over the standard deviation of relative motion [-];
+a lower one is in the water almost a third of the time, and no slam would end by it."""
+
 SLOWING = 0.1
-"""Share of the entry velocity that a slam may take from the ship before it is said [-]."""
+"""Change of the ship's velocity by a slam, over the entry velocity, from which it is said [-]."""
 
 
 class RealisedDeck:
@@ -59,6 +63,8 @@ class RealisedDeck:
         self.strips = deck_strips(wet_deck, slam.deck, self.settings.direction)
         self.step = self.realisation.time_step or time_step(ship.design.hull.length)
         sea = slam.condition.sea_state
+        lowest_parts = self.strips.on_grid(self.strips.lowest)
+        self.marking = lowest_parts >= MARKING * slam.moments.relative_motion_std.values
         self.gap = 0.25 * sea.peak_period if self.settings.gap is None else self.settings.gap
         lowest, highest = float(relative.omega.min()), float(relative.omega.max())
         components = wave_components(slam.condition, self.realisation, lowest, highest)
@@ -115,10 +121,12 @@ def slam_pressures(realised: RealisedDeck, progress: Callable[[float, str], None
         def told(fraction: float, message: str, start=start, length=motion.duration) -> None:
             progress((start + fraction * length) / end, message)
 
-        parts.append(slams_of_record(motion, realised.strips, density, settings, realised.gap, told))
+        parts.append(
+            slams_of_record(motion, realised.strips, density, settings, realised.gap, realised.marking, told)
+        )
         start += motion.duration
     found = joined(parts)
-    return _told(found, realised, _slowing(found, realised))
+    return _told(found, realised, (*_slowing(found, realised), *_often_wet(realised)))
 
 
 def slam_history(realised: RealisedDeck, start: float, duration: float) -> xr.Dataset:
@@ -166,7 +174,7 @@ def hardest_slams(slams: xr.Dataset, count: int = 5, by: str = "slam_pressure") 
 
 def _until_dry(motion: DeckMotion, realised: RealisedDeck) -> DeckMotion:
     """The motion up to the first slam that begins after the stretch, so that none is cut."""
-    found = wet_stretches(motion, realised.strips, realised.gap)
+    found = wet_stretches(motion, realised.strips, realised.gap, realised.marking)
     later = found.first * motion.time_step > STRETCH
     begins = np.concatenate([[True], found.slam[1:] != found.slam[:-1]]) if found.slam.size else later
     after = found.first[later & begins]
@@ -176,17 +184,31 @@ def _until_dry(motion: DeckMotion, realised: RealisedDeck) -> DeckMotion:
 
 
 def _slowing(slams: xr.Dataset, realised: RealisedDeck) -> tuple[str, ...]:
-    """Say so where the hardest slam would slow the motions that it was computed from."""
+    """Say so where the hardest slam would slow the motions that it was computed from.
+
+    A free ship of mass M that meets an added mass A at a velocity W takes M/(M + A) of the impulse A W of a held one.
+    """
     if not slams.sizes["slam"]:
         return ()
-    largest = float(slams.slam_impulse.max())
-    change = largest / realised.ship.design.masses.mass
-    typical = float(realised.slam.moments.relative_velocity_std.max())
+    change = float(slams.slam_impulse.max()) / realised.ship.design.masses.mass
+    typical = float(realised.slam.statistics.mean_entry_velocity.max())
     if change < SLOWING * typical:
         return ()
     return (
-        f"The impulse of the hardest slam would change the ship's vertical velocity by {change:.2g} m/s: such a slam "
-        "slows the motions, which is not allowed for.",
+        f"The impulse of the hardest slam would change the ship's vertical velocity by {change:.2g} m/s where the "
+        f"water closes at some {typical:.2g} m/s: such a slam slows the motions, which is not allowed "
+        f"for; of such a momentum a free ship takes about {100 / (1 + change / typical):.0f} %.",
+    )
+
+
+def _often_wet(realised: RealisedDeck) -> tuple[str, ...]:
+    """Say so where parts of the deck are in the water so often that they mark no slams."""
+    often = int(np.sum(~realised.marking))
+    if not often:
+        return ()
+    return (
+        f"{often} of {realised.marking.size} panels are in the water almost a third of the time or more; they mark "
+        "no slams of their own.",
     )
 
 

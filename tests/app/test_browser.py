@@ -182,6 +182,48 @@ def test_a_slam_is_looked_at(new_page):
     assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
 
 
+def test_section_enters_the_water_by_every_theory(new_page):
+    new_page.open_tab("Section")
+    page = new_page.page
+    page.wait_for_function("document.querySelector('.sec')?.dataset.drawn > 0", timeout=30000)
+    row = page.locator(".sec tr[data-theory=similarity]")
+    assert new_page.wait(lambda: row.locator("td").count() == 6)
+    assert row.locator("td").first.inner_text() == "17.7"
+    picture = page.evaluate("document.querySelector('.sec-main').toDataURL()")
+    page.locator(".sec-main").focus()
+    page.keyboard.press("Home")
+    assert new_page.wait(
+        lambda: (
+            page.evaluate("document.querySelector('.sec-main').toDataURL()") != picture
+            and "7.8 ms after" in page.locator(".sec-instant").inner_text()
+        )
+    )
+    page.locator("#wb-section_kind").select_option("parabola")
+    assert new_page.wait(lambda: "wedges only" in row.inner_text())
+    assert "Parabola of 5 m radius" in page.locator(".sec-title").inner_text()
+    type_in(page, "section_velocity", "0")
+    problem = page.locator("[data-name=section_velocity] .wb-problem")
+    assert new_page.wait(lambda: "must be a finite number > 0" in problem.inner_text())
+    type_in(page, "section_velocity", "2")
+    assert new_page.wait(lambda: problem.inner_text() == "")
+    page.locator("#wb-section_kind").select_option("wedge")
+    assert new_page.errors == []
+    assert new_page.outside == []
+    new_page.open_tab("Slamming")
+
+
+def test_points_of_a_section_are_loaded_from_a_file(new_page, tmp_path):
+    new_page.open_tab("Section")
+    page = new_page.page
+    page.locator("#wb-section_kind").select_option("points")
+    own = tmp_path / "own.csv"
+    own.write_text("y,z\n0,0\n1,0.2\n2,1\n")
+    page.locator("[data-name=section_points] input[type=file]").set_input_files(own)
+    assert new_page.wait(lambda: "Section of 3 points" in page.locator(".sec-title").inner_text())
+    page.locator("#wb-section_kind").select_option("wedge")
+    new_page.open_tab("Slamming")
+
+
 @pytest.mark.parametrize("title", ["Motions", "Pressure", "Design"])
 def test_each_tab_shows_its_figures(new_page, title):
     new_page.open_tab(title)
@@ -226,7 +268,7 @@ def test_design_file_is_loaded_and_a_broken_one_is_explained(new_page, tmp_path)
     broken, own = tmp_path / "broken.toml", tmp_path / "own.toml"
     broken.write_text("name = [")
     own.write_text(design_to_toml(replace(library.design("austal-63"), title="Ferry of my own")))
-    chooser = page.locator("input[type=file]")
+    chooser = page.locator("input[type=file][aria-label='Design file']")
     chooser.set_input_files(broken)
     problem = page.locator("#wb-design-problem")
     assert new_page.wait(lambda: "must be valid TOML" in problem.inner_text())

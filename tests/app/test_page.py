@@ -149,12 +149,12 @@ def test_pressure_over_the_deck_is_stopped_and_taken_up_again(page, monkeypatch)
     panel = open_tab(page, "Pressure")
     ready = threading.Event()
 
-    def slow(found, case):
+    def slow(*parts):
         def task(progress):
             while not ready.is_set():
                 progress(0.1, "slams of 1 h")
                 time.sleep(0.02)
-            return deck_slams(found, case)(progress)
+            return deck_slams(*parts)(progress)
 
         return task
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tests.benchmarks import app, simulation, theories
+from tests.benchmarks import app, simulation, theories, wet_deck
 from workbench import pipeline
 from workbench.conventions import GRAVITY
 from workbench.hulls import library
@@ -160,6 +160,7 @@ BENCHMARKS = {
     "theories": theories.theories,
     "app": app.page,
     "simulation": simulation.hour,
+    "wet-deck": wet_deck.hour,
 }
 
 

@@ -18,7 +18,7 @@ LOGVINOVICH = {4: (507.0684, 1462.1416), 10: (81.7973, 209.2741), 15: (36.7669, 
                30: (9.6196, 15.0857), 40: (5.5586, 6.3521), 45: (4.4348, 4.2049), 60: (2.5399, 1.0778)}  # fmt: skip
 """Peak coefficient and force over rho V**3 t in closed form, evaluated independently."""
 
-FORCES = ("von-karman", "wagner", "generalised-wagner", "logvinovich", "similarity")
+FORCES = ("von-karman", "wagner", "generalised-wagner", "logvinovich", "similarity", "nonlinear")
 
 
 def wedge(degrees, method, velocity=2.0, time=0.5, **more):
@@ -196,7 +196,7 @@ def test_what_lies_outside_is_said(degrees, method, words):
     ("given", "words"),
     [
         ({"velocity": 0.0}, "water exit"), ({"velocity": -2.0}, "water exit"), ({"velocity": np.nan}, "velocity"),
-        ({"method": "magic"}, "method must be one of"), ({"method": "nonlinear"}, "not in this version"),
+        ({"method": "magic"}, "method must be one of"),
         ({"density": 0.0}, "density"), ({"times": [0.0]}, "time after first contact"), ({"times": [2.0, 1.0]}, "grow"),
         ({"panels": [(1.0, 0.5)]}, "outer edge"), ({"section": Circle(1.0), "method": "similarity"}, "wedges only"),
         ({"section": Parabola(1.0), "method": "chuang"}, "wedges only"),
@@ -226,7 +226,7 @@ def command(*words):
     return CliRunner().invoke(application, [*words, "--json"])
 
 
-@pytest.mark.parametrize("method", [method for method in METHODS if method != "nonlinear"])
+@pytest.mark.parametrize("method", METHODS)
 def test_command_prints_one_object(method):
     done = command("--section", "wedge", "--deadrise-degrees", "20", "--method", method, "--velocity", "3")
     values = json.loads(done.stdout)
@@ -237,6 +237,21 @@ def test_command_prints_one_object(method):
         assert values["force_coefficient"] == pytest.approx(42.27155, abs=1e-4)
         assert values["peak_height"] == pytest.approx(0.50786, abs=1e-4)
         assert values["wetted_rate"] == pytest.approx(1.50786 / np.tan(np.radians(20)), rel=1e-4)
+
+
+@pytest.mark.parametrize("method", ["nonlinear", "von-karman", "chuang"])
+def test_command_prints_a_history(method):
+    words = ("--deadrise-degrees", "40", "--method", method, "--velocity", "4", "--penetration", "0.2")
+    values = json.loads(command(*words, "--history", "4").stdout)
+    history = values["history"]
+    assert set(history) == {"time", "penetration", "force_per_length", "peak_pressure", "wetted_half_breadth"}
+    assert history["penetration"] == pytest.approx([0.05, 0.1, 0.15, 0.2])
+    assert history["time"] == pytest.approx([0.0125, 0.025, 0.0375, 0.05])
+    for name in ("force_per_length", "peak_pressure", "wetted_half_breadth"):
+        assert history[name][-1] == values[name]
+        assert (history[name][0] is None) == (values[name] is None)
+    assert "history" not in json.loads(command(*words).stdout)
+    assert "history" in str(command(*words, "--history", "-1").exception)
 
 
 def test_command_reads_a_section(tmp_path):

@@ -7,6 +7,8 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
+from tests.conftest import VERDICTS
+
 FOLDER = Path(__file__).parents[2] / "notebooks"
 NAMES = sorted(path.name for path in FOLDER.glob("*.ipynb"))
 
@@ -38,8 +40,15 @@ def test_notebook_is_valid_and_stores_no_output(name):
 
 
 def test_every_notebook_is_run_here():
-    assert {"first-steps.ipynb", "records.ipynb", "verification.ipynb"} <= set(NAMES)
-    assert set(NAMES) <= {"first-steps.ipynb", "records.ipynb", "verification.ipynb", "workbench.ipynb"}
+    tested = {
+        "cross-structure-slamming.ipynb",
+        "first-steps.ipynb",
+        "records.ipynb",
+        "verification.ipynb",
+        "water-entry.ipynb",
+    }
+    assert tested <= set(NAMES)
+    assert set(NAMES) <= {*tested, "workbench.ipynb"}
 
 
 @pytest.mark.slow
@@ -63,9 +72,10 @@ def test_first_steps():
 
 
 @pytest.mark.slow
-def test_verification():
+def test_verification(request):
     notebook = executed("verification.ipynb")
     found = numbers(notebook)
+    request.config.stash[VERDICTS] = found["verdicts"]
     assert found["passed"] is True
     assert found["counts"]["fails"] == 0
     assert found["counts"]["agrees"] > 100
@@ -98,6 +108,52 @@ def test_records():
     assert found["by_threshold"][2] > 5 * max(false, 1)
     assert found["verdicts"] == {"heave": True, "pitch": True, "vertical acceleration": False}
     assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 6
+
+
+@pytest.mark.slow
+def test_cross_structure_slamming():
+    notebook = executed("cross-structure-slamming.ipynb")
+    found = numbers(notebook)
+    assert found["slams"] == 4
+    assert found["excluded"] == [0, 0, 1, 0]
+    assert abs(found["k_error"]) < 0.05
+    assert found["unshifted_error"] > 0.2
+    assert found["mean_ratio"] == pytest.approx(1.036, abs=5e-4)
+    assert found["matched_ratio"] == pytest.approx(0.852, abs=1e-3)
+    assert found["hayes"] == pytest.approx([1.147, 0.919], abs=1e-3)
+    assert found["ratios"] == pytest.approx([5.23, 3.55], abs=0.005)
+    assert found["peak_kpa"] == pytest.approx(257, rel=0.05)
+    assert found["bulkhead_kpa"] == pytest.approx(532, rel=0.01)
+    assert found["limits"] >= 10
+    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 7
+
+
+@pytest.mark.slow
+def test_water_entry():
+    notebook = executed("water-entry.ipynb")
+    found = numbers(notebook)
+    assert found["exact_peak_10"] == pytest.approx(77.69831, rel=1e-4)
+    assert found["exact_force_20"] == pytest.approx(42.2716, rel=1e-3)
+    force, peak = found["force_over_exact_20"], found["peak_over_exact_30"]
+    assert force["wagner"] == pytest.approx(1.384, abs=0.002)
+    assert force["von-karman"] == pytest.approx(1.384 * 4 / 9.8696, abs=0.002)
+    assert abs(force["generalised-wagner"] - 1) < 0.04
+    assert force["chuang"] is None
+    assert peak["logvinovich"] == pytest.approx(9.6196 / 6.89476, abs=1e-3)
+    assert peak["wagner"] < 1.08
+    for method, averages in found["panel_k"].items():
+        assert averages == sorted(averages, reverse=True)
+        if method != "wagner":
+            assert averages[0] < found["exact_peak_10"] * 1.06
+            assert averages == pytest.approx(found["panel_k"]["similarity"], rel=0.1)
+    assert found["crest_radius"] == pytest.approx(214.7, rel=1e-3)
+    assert found["crest_warns_of_air"] is True
+    assert found["refused"] == ["chuang", "similarity"]
+    own = found["own_panel"]
+    assert own["von-karman"] < own["generalised-wagner"] < own["wagner"]
+    kinds = [kind for output in outputs(notebook) for kind in output.get("data", {})]
+    assert kinds.count("image/png") == 3
+    assert kinds.count("application/vnd.jupyter.widget-view+json") == 3
 
 
 @pytest.mark.slow

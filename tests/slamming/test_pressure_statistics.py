@@ -8,7 +8,7 @@ from flat_seas import deck, flat_band, random_sea
 from workbench import quantities
 from workbench.errors import InputError
 from workbench.impact.pressure import PressureLaw
-from workbench.slamming.events import entries
+from workbench.slamming.events import entries, grouping_dispersion
 from workbench.slamming.extremes import largest_peak_pressure
 from workbench.slamming.joint_law import ranked_pressures
 from workbench.slamming.pressure_statistics import (
@@ -117,6 +117,15 @@ def test_garwoods_band_and_its_widening():
     wide = rate_band(40.0, 4.0)
     assert wide[0] == pytest.approx(4 * low[1])
     assert wide[1] == pytest.approx(4 * high[1])
+
+
+def test_dispersion_is_that_of_the_groups():
+    """Poisson slams 1; each of them bringing two more, 3; few slams do not tell, and count as Poisson's."""
+    rng = np.random.default_rng(9)
+    single = rng.poisson(10.0, (24, 40))
+    assert grouping_dispersion(single.astype(float)) == pytest.approx(1.0, abs=0.15)
+    assert grouping_dispersion(3.0 * single) == pytest.approx(3.0, abs=0.4)
+    assert grouping_dispersion(np.eye(24)[:, :5]) == 1.0
 
 
 def test_mean_of_counted_curves_is_the_closed_form_and_the_bands_hold_it():

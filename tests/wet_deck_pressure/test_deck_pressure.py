@@ -21,7 +21,7 @@ def without_weight(found, motion, strips):
     """Force less buoyancy of the deck, the mean over each step's ends [N]."""
     ends = np.concatenate([[found.time.values[0]], found.time.values]) + found.attrs["time_step"] / 2
     ends[0] = found.time.values[0] - found.attrs["time_step"] / 2
-    depth = np.maximum(strips.by_strip(motion.at(ends)[0]) - strips.lowest, 0)
+    depth = np.maximum(strips.by_strip(motion.at(ends)[0]) - strips.mean, 0)
     weight = RHO * GRAVITY * strips.panel_area * depth.sum(axis=(1, 2))
     return found.deck_force.values - (weight[1:] + weight[:-1]) / 2
 
@@ -138,6 +138,34 @@ def test_water_that_leaves_gives_no_suction_spike():
         found = receding(suction)
         assert float(found.deck_pressure.min()) >= 0
         assert float(found.deck_force[-1]) == 0
+
+
+def test_level_water_that_falls_off_a_flat_deck_lets_go_without_a_pull():
+    wet_deck, grid = flat_deck()
+    motion, strips = moved(
+        lambda t, x, y: 2.0 * (0.203 - t) + 0 * (x + y),
+        lambda t, x, y: -2.0 + 0 * (t + x + y),
+        lambda t, x, y: 0 * (t + x + y),
+        wet_deck,
+        grid,
+        0.5,
+    )
+    found = history(motion, strips, RHO, DeckPressureSettings(suction=ATMOSPHERE, time_step=0.005), 0.1, 0.3)
+    np.testing.assert_allclose(without_weight(found, motion, strips), 0.0, atol=1.0)
+
+
+def test_a_deck_that_rises_forward_closes_on_still_water_as_it_advances():
+    """W = U g all along; the fore end runs at U: rho pi l U W/2 a strip, l half of 4 d/(3 g)."""
+    rise, speed, depth = 1.5, 8.0, 0.3
+    gradient = rise / 60.0
+    wet_deck, grid = flat_deck(entry_length=60.0, entry_rise=rise)
+    motion, strips = moved(
+        *(lambda t, x, y, v=v: v + 0 * (t + x + y) for v in (depth, 0, 0)), wet_deck, grid, 0.5, speed=speed
+    )
+    found = history(motion, strips, RHO, DeckPressureSettings(), 0.2, 0.3)
+    half = 2 * depth / (3 * gradient)
+    expected = RHO * np.pi * half * speed * speed * gradient / 2 * 4.0
+    np.testing.assert_allclose(without_weight(found, motion, strips), expected, rtol=0.02)
 
 
 def rising(depth, acceleration):
@@ -284,6 +312,18 @@ def test_a_slam_at_the_edge_of_the_record_is_marked():
     ) == [0]
 
 
+def test_contacts_are_one_slam_where_the_deck_is_dry_no_longer_than_the_gap():
+    wet_deck, grid = flat_deck()
+    level = (
+        lambda t, x, y: 0.2 * np.sin(2 * np.pi * t / 1.2) + 0 * (x + y),
+        lambda t, x, y: 0.2 * 2 * np.pi / 1.2 * np.cos(2 * np.pi * t / 1.2) + 0 * (x + y),
+        lambda t, x, y: -0.2 * (2 * np.pi / 1.2) ** 2 * np.sin(2 * np.pi * t / 1.2) + 0 * (x + y),
+    )
+    motion, strips = moved(*level, wet_deck, grid, 3.5)  # dry for 0.6 s between contacts
+    for gap, count in ((0.5, 3), (0.7, 1)):
+        assert slams_of_record(motion, strips, RHO, DeckPressureSettings(), gap=gap).sizes["slam"] == count
+
+
 def test_a_dry_record_has_no_slams():
     wet_deck, grid = flat_deck()
     motion, strips = moved(
@@ -319,6 +359,25 @@ def test_a_history_must_lie_within_the_record():
     motion, strips = record(5.0)
     with pytest.raises(InputError, match="end of the pressure history"):
         history(motion, strips, RHO, DeckPressureSettings(), 1.0, 9.0)
+
+
+def test_steps_of_a_record_are_not_longer_than_its_own():
+    motion, strips = record(5.0)
+    with pytest.raises(InputError, match=r"time step of the pressures must be .* <= 0.05 s, got 0.2 s"):
+        slams_of_record(motion, strips, RHO, DeckPressureSettings(time_step=0.2), gap=1.0)
+
+
+def test_squared_velocity_takes_from_the_pressure_and_never_below_nothing():
+    wet_deck, grid = flat_deck()
+    motion, strips = moved(*crest(CURVATURE, VELOCITY, CELERITY, start=0.05), wet_deck, grid, 0.5)
+    plain, less = (
+        history(motion, strips, RHO, DeckPressureSettings(pressure=name), 0.0, 0.3)
+        for name in ("wagner", "logvinovich")
+    )
+    assert np.all(less.deck_pressure.values <= plain.deck_pressure.values + 1e-6)
+    assert float(less.deck_pressure.min()) >= 0
+    ratio = float(less.deck_force.sum() / plain.deck_force.sum())
+    assert 0.7 < ratio < 0.99
 
 
 def test_a_deck_of_one_panel_works():

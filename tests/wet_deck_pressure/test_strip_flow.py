@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from tests.wet_deck_pressure.strips_of_water import crest, profiles_of
+from workbench.impact.entry import entry
+from workbench.impact.section import Wedge
 from workbench.wet_deck_pressure.strip_flow import SOUND_SPEED, panel_flow
+from workbench.wet_deck_pressure.strip_profiles import StripProfiles
 from workbench.wet_deck_pressure.wetted_interval import wetted_intervals
 
 NODES = np.linspace(-29.25, 29.25, 40)
@@ -57,6 +60,28 @@ def test_pressure_is_the_growth_of_the_potential_impulse_past_the_ship(speed):
         + found.edges[1]
     )
     np.testing.assert_allclose(grown, found.pressure[1], atol=3e-4 * found.pressure.max())
+
+
+@pytest.mark.parametrize("end", [1, -1])
+def test_growth_of_the_potential_impulse_with_water_over_an_end_of_an_advancing_deck(end):
+    """The singular term of the end at the edge, which moves with the ship, is off the growth as off the pressure."""
+    gradient, speed, step = 0.1, 6.0, 1e-4
+    times = 0.31 + step * np.array([-1, 0, 1])
+    profiles = profiles_of(
+        lambda t, x, y: VELOCITY * t - gradient * (30 - end * x),
+        lambda t, x, y: VELOCITY - speed * end * gradient + 0 * x,
+        lambda t, x, y: 0 * x,
+        times,
+        NODES,
+        30.0,
+        speed,
+    )
+    found = flow_of(profiles)
+    grown = (found.potential_impulse[2] - found.potential_impulse[0]) / (2 * step)
+    assert np.abs(found.edges[1]).max() > 0.1
+    np.testing.assert_allclose(
+        grown + found.drift[1] + found.edges[1], found.pressure[1], atol=1e-3 * np.abs(found.pressure).max()
+    )
 
 
 def test_pressure_of_a_uniform_plate_is_wagners_outer_pressure():
@@ -128,9 +153,44 @@ def test_root_pressure_is_half_rho_of_the_roots_speed_squared_and_not_beyond_tha
     assert found.root_pressure[0] == pytest.approx(SOUND_SPEED * VELOCITY)
     assert found.root_pressure[1] == pytest.approx(VELOCITY / CURVATURE / 0.1 / 2)
     assert (found.roots, found.fast_roots) == (4, 2)
+    limit = np.pi / 2 * VELOCITY / np.tan(np.radians(3.0))  # of a wedge of 3 degrees
+    near = VELOCITY / CURVATURE / (limit * np.array([1.05, 0.95])) ** 2
+    assert flow_of(of_crest(near, celerity=0.0)).fast_roots == 2
 
 
 def test_the_force_does_not_depend_on_the_panels():
     profiles = of_crest(np.array([0.1, 0.25]))
     totals = [flow_of(profiles, np.linspace(-30, 30, n + 1)).pressure.sum(axis=1) for n in (1, 7, 60, 400)]
     np.testing.assert_allclose(totals, np.broadcast_to(totals[0], (4, 2)), rtol=1e-12)
+
+
+def test_squared_velocity_leaves_the_modified_logvinovich_force_of_a_flat_wedge():
+    """Cp = (pi/tan b) q - q**2, q = 1/sqrt(1 - s**2), to its zero: the slope's own squares are left out."""
+    beta, velocity, depth = np.radians(10.0), 2.0, 0.4
+    nodes = np.linspace(-4.95, 4.95, 40)
+    table = np.abs(np.linspace(-5, 5, 641)) * np.tan(beta)
+    profiles = StripProfiles(
+        nodes,
+        np.full((1, 40), depth),
+        np.full((1, 40), velocity),
+        np.zeros((1, 40)),
+        -5.0,
+        5.0,
+        table[None],
+        np.zeros(1, int),
+    )
+    edges = np.linspace(-5, 5, 201)
+    found = panel_flow(profiles, wetted_intervals(profiles), edges, squared_velocity=True)
+    pile = np.pi / np.tan(beta)
+    s = np.sqrt(1 - 1 / pile**2)
+    expected = pile / 2 * (pile * np.arcsin(s) - np.arctanh(s)) * velocity**2 * depth
+    force = (found.pressure - found.taken).sum()
+    assert force == pytest.approx(expected, rel=2e-3)
+    half = np.pi * depth / (2 * np.tan(beta))
+    x = (edges[1:] + edges[:-1]) / 2
+    inside = np.abs(x) < 0.9 * half
+    q = 1 / np.sqrt(1 - (x[inside] / half) ** 2)
+    local = ((found.pressure - found.taken)[0] / np.diff(edges))[inside]
+    np.testing.assert_allclose(local, velocity**2 / 2 * (pile * q - q**2), rtol=5e-3)
+    whole = entry(Wedge(beta), velocity, "logvinovich", 1.0, [depth / velocity])
+    assert force == pytest.approx(float(whole.section_force[0]), rel=0.01)

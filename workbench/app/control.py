@@ -12,7 +12,7 @@ class Input:
     ----------
     name : of the input; label : its words, with the unit.
     group : the heading under which it stands.
-    kind : "number" or "choice".
+    kind : "number", "choice" or "text" (some lines, typed, pasted or loaded from a file).
     low, high, step : of the slider beside a number; None leaves the slider out.
     choices : pairs (value, words) of a choice.
     phrases : words by which a refused input names this control.

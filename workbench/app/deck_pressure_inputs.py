@@ -9,7 +9,7 @@ from workbench.errors import checked_number
 from workbench.wet_deck_pressure.settings import ATMOSPHERE, DeckPressureSettings
 
 DECK_PRESSURE_DEFAULTS: dict[str, Any] = {
-    "deck_strips": "auto", "deck_suction": "none", "deck_reduction": "none", "averaging": "auto",
+    "deck_strips": "auto", "deck_model": "wagner", "deck_suction": "none", "deck_reduction": "none", "averaging": "auto",
     "averaging_time": 10.0,
 }  # fmt: skip
 SHORTEST_MS, LONGEST_MS = 2.0, 50.0
@@ -29,6 +29,10 @@ def deck_pressure_inputs(design: Design) -> list[Input]:
                 ("auto", "automatic: across under a pod"), ("lengthwise", "lengthwise"), ("across", "across"),
             ),
             phrases=("direction of the strips",),
+        ),
+        Input(
+            name="deck_model", label="Pressure over the wetted part", group="pressure", kind="choice",
+            choices=(("wagner", "Wagner"), ("logvinovich", "Logvinovich: less the squared velocity")),
         ),
         Input(
             name="deck_suction", label="Suction as water leaves", group="pressure", kind="choice",
@@ -64,6 +68,7 @@ def deck_pressure_settings(inputs: Mapping[str, Any], number: Callable[[str], fl
         )
     return DeckPressureSettings(
         direction=given["deck_strips"],
+        pressure=given["deck_model"],
         suction=_SUCTION.get(given["deck_suction"], 0.0),
         reduction=given["deck_reduction"],
         time_step=step,

@@ -18,13 +18,17 @@ import traitlets
 from workbench.app import work
 from workbench.app.case import Case
 from workbench.app.job import Job
-from workbench.app.model import Compared, DeckSlams, Findings, Model
+from workbench.app.model import Compared, Findings, Model
 from workbench.app.reading import control_named, in_words
 from workbench.errors import InputError
+from workbench.impact.entry_case import EntryCase
 
 HULL_DELAY, COUNT_DELAY, PRESSURE_DELAY, REST_DELAY = 0.35, 0.8, 1.2, 1.5
 """Pause after the last change before a new hull is solved, before slams are counted, before the pressure over the
 deck is computed, and before the headings that the sea does not need [s]."""
+
+MOST_ENTRIES = 8
+"""Water entries by slow theories that are remembered."""
 
 
 class Desk(traitlets.HasTraits):
@@ -33,7 +37,8 @@ class Desk(traitlets.HasTraits):
     Attributes
     ----------
     hull_job : hydrodynamics and motions; rest_job : those of the other headings; count_job : counted slams and
-    the scene; pressure_job : the pressure over the deck; compare_job : theories laid over each other.
+    the scene; pressure_job : the pressure over the deck; compare_job : theories laid over each other;
+    section_job : a water entry by a slow theory.
     is_current : whether the findings belong to the present inputs.
     error : a sentence on what went wrong unexpectedly.
     """
@@ -45,7 +50,7 @@ class Desk(traitlets.HasTraits):
         super().__init__()
         self.model = model
         self.hull_job, self.rest_job, self.count_job = Job("hull"), Job("headings"), Job("count")
-        self.compare_job = Job("theories")
+        self.compare_job, self.section_job = Job("theories"), Job("section")
         self.pressure_job = Job("pressure")
         self.needs_counts = self.needs_scene = self.needs_pressures = False
         self._show = show
@@ -63,7 +68,9 @@ class Desk(traitlets.HasTraits):
     @property
     def jobs(self) -> tuple[Job, ...]:
         """All jobs, the most urgent first."""
-        return self.hull_job, self.compare_job, self.count_job, self.pressure_job, self.rest_job
+        return (
+            self.hull_job, self.compare_job, self.section_job, self.count_job, self.pressure_job, self.rest_job,
+        )  # fmt: skip
 
     def post(self, *_: object) -> None:
         """Say that something changed; returns at once."""
@@ -114,6 +121,17 @@ class Desk(traitlets.HasTraits):
 
         task = work.comparison(case, with_panels)
         self.compare_job.start((key, with_panels), task, done)
+
+    def solve_entry(self, case: EntryCase, method: str) -> None:
+        """Ask for a water entry by a theory that takes long."""
+        key = (case, method)
+
+        def done(found) -> None:
+            kept = list(self.model.solved_entries.items())[-MOST_ENTRIES + 1 :]
+            self.model.solved_entries = dict([*kept, (key, found)])
+            self.post()
+
+        self.section_job.start(key, work.entry_by(case, method), done)
 
     def _run(self) -> None:
         while True:
@@ -268,17 +286,12 @@ class Desk(traitlets.HasTraits):
         if job.state == "running" and job.key != key:
             job.cancel()
             job.clear()
-        if has_them or not self.needs_pressures or key == self._stopped.get("pressure"):
+        has_failed = (job.state, job.key) == ("failed", key)
+        if has_them or has_failed or not self.needs_pressures or key == self._stopped.get("pressure"):
             return
-        if (job.state, job.key) == ("failed", key):
-            return
-
-        def done(found: DeckSlams) -> None:
-            self.model.deck_slams = found
-            self.post()
-
         self._stopped.pop("pressure", None)
-        job.start(key, work.deck_slams(self.model.findings, case), done, PRESSURE_DELAY)
+        task = work.deck_slams(self.model, self.model.findings, case)
+        job.start(key, task, lambda _: self.post(), PRESSURE_DELAY)
 
 
 def _key(case: Case, lone_heading: float | None) -> tuple:

@@ -24,10 +24,12 @@ from workbench.app.panels.design import DesignPanel
 from workbench.app.panels.files import FilesPanel
 from workbench.app.panels.motions import MotionsPanel
 from workbench.app.panels.pressure import PressurePanel
+from workbench.app.panels.section import SectionPanel
 from workbench.app.panels.slamming import SlammingPanel
 from workbench.app.panels.theories import TheoriesPanel
 from workbench.app.progress_words import is_awaited, may_refine, origin_of, state_of
 from workbench.app.running_inputs import RUNNING_DEFAULTS
+from workbench.app.section_inputs import unusual_section
 from workbench.app.ship_inputs import inputs_of
 from workbench.conventions import KNOT
 from workbench.hulls import library
@@ -38,6 +40,9 @@ PERMALINK = (
     "criterion", "threshold_kind", "threshold", "law",
 )  # fmt: skip
 """Inputs that the address of the page holds, beside the choices of the method that are not the usual ones."""
+
+LONGEST_IN_ADDRESS = 400
+"""Length from which a text is left out of the address [characters]."""
 
 FIRST_TAB = 1
 ROOM_ABOVE = 475
@@ -65,6 +70,7 @@ class Page:
             PressurePanel(self.model, post),
             AnimationPanel(self.model, post),
             TheoriesPanel(self.model, post, self.desk.compare),
+            SectionPanel(self.model, post, self.desk.solve_entry),
             DesignPanel(self.model, post),
             FilesPanel(self.model, post, self.head.send_file, self._want_scene),
         ]
@@ -84,9 +90,10 @@ class Page:
         self._describe_inputs()
         self.model.observe(self._describe_fields, names=["base"])
         self.model.observe(
-            self._describe_inputs, names=["inputs", "base", "problems", "notice", "design_name", "refined"]
+            self._describe_inputs,
+            names=["inputs", "base", "problems", "notice", "design_name", "refined", "section_inputs"],
         )
-        self.model.observe(self.desk.post, names=["inputs", "base", "refined"])
+        self.model.observe(self.desk.post, names=["inputs", "base", "refined", "section_inputs"])
         self.model.observe(self._describe_results, names=["findings", "problems", "refined"])
         self.desk.observe(self._describe_results, names=["is_current", "error"])
         for job in self.desk.jobs:
@@ -171,6 +178,11 @@ class Page:
             name: inputs[name]
             for name, usual in (METHOD_DEFAULTS | RUNNING_DEFAULTS | DECK_PRESSURE_DEFAULTS).items()
             if name in inputs and inputs[name] != usual
+        }
+        small |= {
+            name: value
+            for name, value in unusual_section(model.section_inputs).items()
+            if len(str(value)) < LONGEST_IN_ADDRESS
         }
         with self._lock, self.head.hold_sync():
             self.head.permalink = (

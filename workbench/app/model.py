@@ -23,6 +23,13 @@ from workbench.app.reading import (
     usual_inputs,
 )
 from workbench.app.running_inputs import RUNNING_DEFAULTS
+from workbench.app.section_inputs import (
+    SECTION_DEFAULTS,
+    changed_section,
+    kinds_for,
+    unusual_section,
+    usable_section,
+)
 from workbench.app.ship_inputs import inputs_of
 from workbench.design import Design
 from workbench.errors import InputError
@@ -94,6 +101,8 @@ class Model(traitlets.HasTraits):
     problems : name of a control to the sentence why it cannot be used; empty when all can.
     notice : a sentence about what was done for the reader.
     refined : inputs for which the reader asked for the panel method, newest last.
+    section_inputs : those of the section that enters the water; solved_entries : its entries by theories that
+    take long, by case and theory, or a sentence why one is refused.
     findings, counted, deck_slams, scene, compared : the newest results, which may be out of date.
     """
 
@@ -107,6 +116,8 @@ class Model(traitlets.HasTraits):
     deck_slams = traitlets.Instance(DeckSlams, allow_none=True)
     compared = traitlets.Instance(Compared, allow_none=True)
     refined = traitlets.Tuple()
+    section_inputs = traitlets.Dict(dict(SECTION_DEFAULTS))
+    solved_entries = traitlets.Dict()
     scene = traitlets.Any(None, allow_none=True)
     scene_key = traitlets.Any(None, allow_none=True)
 
@@ -144,6 +155,8 @@ class Model(traitlets.HasTraits):
             self.problems = {}
             usual_attitude = {key: value for key, value in RUNNING_DEFAULTS.items() if key in own}
             self.inputs = kept | usual_attitude | inputs_of(design)
+            if self.section_inputs["section_kind"] not in kinds_for(design):
+                self.section_inputs = {**self.section_inputs, "section_kind": "wedge"}
 
     def change(self, name: str, value: Any) -> None:
         """Change one input, with what goes with it."""
@@ -154,6 +167,14 @@ class Model(traitlets.HasTraits):
             return
         self.notice = ""
         self.inputs = changed_inputs(self.inputs, name, as_typed(name, value, self.base))
+
+    def change_section(self, name: str, value: Any) -> None:
+        """Change one input of the section that enters the water, with what goes with it."""
+        usable, _ = usable_section({name: value}, self.base)
+        if usable:
+            self.section_inputs = changed_section(
+                self.section_inputs, name, usable[name], self.base, self.quiet_case()
+            )
 
     def restore_design(self) -> None:
         """Undo all changes to the design, not to condition and criterion."""
@@ -201,6 +222,8 @@ class Model(traitlets.HasTraits):
         """Return all that is needed to open this page again, as plain values."""
         loaded = design_to_toml(self.base) if self.design_name == LOADED else ""
         state = {"design": self.design_name, "toml": loaded, "inputs": dict(self.inputs)}
+        section = unusual_section(self.section_inputs)
+        state |= {"section": section} if section else {}
         case = self.quiet_case() if self.refined else None
         return state | ({"refined": True} if case is not None and case.is_refined else {})
 
@@ -217,8 +240,12 @@ class Model(traitlets.HasTraits):
             ignored.append(str(error))
         known = {one.name: one for one in inputs_for(self.base)}
         given = state.get("inputs", {})
+        given = dict(given) if isinstance(given, dict) else {}
+        section = state.get("section", {})
+        section = dict(section) if isinstance(section, dict) else {}
+        section |= {key: given.pop(key) for key in list(given) if key in SECTION_DEFAULTS}
         usable = {}
-        for key, value in given.items() if isinstance(given, dict) else ():
+        for key, value in given.items():
             control = known.get(key)
             allowed = control and (
                 control.kind != "choice" or value in {choice for choice, _ in control.choices}
@@ -228,6 +255,9 @@ class Model(traitlets.HasTraits):
             else:
                 usable[key] = as_typed(key, value, self.base)
         self.inputs = self.inputs | usable
+        usable, unusable = usable_section(section, self.base)
+        self.section_inputs = self.section_inputs | usable
+        ignored += unusable
         self.notice = ""
         if state.get("refined") is True:
             self.refine()

@@ -13,6 +13,7 @@ from workbench.errors import InputError
 _WORDS = {
     "hull": "Solving the waves about the hull",
     "theories": "Comparing theories",
+    "section": "Marching the water entry",
     "count": "Counting slams",
     "pressure": "Pressure over the deck",
     "headings": "Solving the other headings",
@@ -20,6 +21,7 @@ _WORDS = {
 _STOPPED = {
     "hull": "Stopped. The results below belong to former inputs.",
     "theories": "",
+    "section": "",
     "count": "Stopped. The slams were not counted for these inputs.",
     "pressure": "Stopped. The pressure over the deck was not computed for these inputs.",
     "headings": "Stopped. The other headings were not solved.",
@@ -41,8 +43,9 @@ def state_of(desk: Desk) -> Work:
     if busy is not None:
         return Work(True, busy.progress, _task(busy), "stop")
     failed = next((job for job in desk.jobs if job.state == "failed"), None)
-    if failed is not None and (failed is desk.compare_job or not isinstance(failed.failure, InputError)):
-        return Work(False, 0.0, failed.error, "" if failed is desk.compare_job else "resume")
+    by_hand = desk.compare_job, desk.section_job
+    if failed is not None and (failed in by_hand or not isinstance(failed.failure, InputError)):
+        return Work(False, 0.0, failed.error, "" if failed in by_hand else "resume")
     stopped = next((job for job in desk.jobs if job.state == "cancelled" and _STOPPED[job.name]), None)
     if stopped is not None:
         return Work(False, 0.0, _STOPPED[stopped.name], "resume")

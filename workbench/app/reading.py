@@ -68,7 +68,7 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
     def number(name: str, factor: float = 1.0) -> float:
         control = next((one for one in controls if one.name == name), None)
         label = control.label.split(" [")[0] if control else name
-        return checked_number(label, _as_number(inputs.get(name))) * factor
+        return checked_number(label, as_number(inputs.get(name))) * factor
 
     def changed(group: str, owner: str):
         return part(group, lambda: changed_part(base, owner, number))
@@ -101,7 +101,7 @@ def _condition(inputs: dict[str, Any], number) -> Condition:
     if spectrum == "jonswap":
         others["peak_enhancement"] = number("peak_enhancement")
     if inputs.get("spreading"):
-        others["spreading_exponent"] = _as_number(inputs["spreading"])
+        others["spreading_exponent"] = as_number(inputs["spreading"])
     height = number("wave_height")
     if spectrum == "pierson-moskowitz":
         sea = SeaState(significant_wave_height=height, **others)
@@ -156,7 +156,7 @@ def changed_inputs(inputs: dict[str, Any], name: str, value: Any) -> dict[str, A
 def _converted_period(inputs: dict[str, Any], kind: str) -> Any:
     """Return the period of the same sea, of another kind."""
     orders = {"mean": 1, "zero": 2}
-    shape = inputs.get("spectrum", "bretschneider"), _as_number(inputs.get("peak_enhancement", 3.3))
+    shape = inputs.get("spectrum", "bretschneider"), as_number(inputs.get("peak_enhancement", 3.3))
 
     def ratio(which):
         return period_ratio(orders[which], *shape) if which in orders else 1.0
@@ -187,7 +187,7 @@ def uploaded_design(text: str) -> Design:
     return design_from_toml(text + "\n")
 
 
-def _as_number(value: Any) -> Any:
+def as_number(value: Any) -> Any:
     """Return text that is a number as a number, for `checked_number` to judge."""
     if isinstance(value, str):
         try:
@@ -200,7 +200,7 @@ def _as_number(value: Any) -> Any:
 def as_typed(name: str, value: Any, base: Design) -> Any:
     """Return text that was typed into a number box as the number it is, other text as it stands."""
     is_number = any(one.name == name and one.kind == "number" for one in inputs_for(base))
-    typed = _as_number(value) if is_number else value
+    typed = as_number(value) if is_number else value
     return typed if isinstance(typed, str) or math.isfinite(typed) else str(value)
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +14,8 @@ import xarray as xr
 from workbench.app.case import Case
 from workbench.app.job import Progress, Work
 from workbench.app.model import Counted, DeckSlams, Findings, Model
+from workbench.errors import InputError
+from workbench.impact.entry_case import EntryCase
 from workbench.time_domain import Realisation
 
 if TYPE_CHECKING:
@@ -18,6 +23,8 @@ if TYPE_CHECKING:
 
 WORKERS = 2
 CURVE_POINTS = 81
+POLL = 0.1
+"""Pause between two looks at a process [s]."""
 
 
 def ship(case: Case, lone_heading: float | None) -> Work:
@@ -56,6 +63,42 @@ def comparison(case: Case, with_panels: bool) -> Work:
         return found, measured
 
     return task
+
+
+def entry_by(case: EntryCase, method: str) -> Work:
+    """Work that gives a water entry by a slow theory, or the sentence why it is refused.
+
+    A process of its own marches it, and ends when the work is no longer wanted.
+    """
+
+    def task(progress: Progress) -> xr.Dataset | str:
+        context = get_context("forkserver")
+        ours, theirs = context.Pipe(duplex=False)
+        process = context.Process(target=_entry, args=(theirs, case, method), daemon=True)
+        process.start()
+        theirs.close()
+        start = time.monotonic()
+        try:
+            while not ours.poll(POLL):
+                progress(0.0, f"{time.monotonic() - start:.0f} s so far, up to a minute")
+            return ours.recv()
+        except EOFError:
+            return "The calculation ended without an answer; choose a smaller penetration or another theory."
+        finally:
+            process.terminate()
+            process.join()
+            ours.close()
+
+    return task
+
+
+def _entry(answer: Connection, case: EntryCase, method: str) -> None:
+    """Send an entry, or the sentence why it is refused."""
+    try:
+        found: xr.Dataset | str = case.by(method)
+    except InputError as error:
+        found = str(error)
+    answer.send(found)
 
 
 def deck_response(ship, case: Case) -> xr.Dataset:
@@ -110,16 +153,16 @@ def counts(model: Model, found: Findings, case: Case, wants_scene: bool, post: C
     return task
 
 
-def deck_slams(found: Findings, case: Case) -> Work:
-    """Work that gives the pressure over the deck in every slam of a realisation."""
+def deck_slams(model: Model, found: Findings, case: Case) -> Work:
+    """Work that computes the pressure over the deck in every slam of a realisation, for the model."""
 
-    def task(progress: Progress) -> DeckSlams:
+    def task(progress: Progress) -> None:
         from workbench.pressure_stage import slam_pressures
 
         realised = _realised_deck(found, case, case.pressure_realisation)
         hours = case.pressure_realisation.hours
         slams = slam_pressures(realised, lambda done, _: progress(done, f"slams of {hours:g} h"))
-        return DeckSlams(case.deck_pressure_key, found, realised, slams)
+        model.deck_slams = DeckSlams(case.deck_pressure_key, found, realised, slams)
 
     return task
 

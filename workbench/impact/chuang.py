@@ -4,6 +4,11 @@ The source works in feet, slugs and psi: ``p[psi] = k rho[slug/ft3] V_n[ft/s]**2
 with the conversion 1/144 inside k. In SI the same law is
 ``p[Pa] = 144 k rho[kg/m3] V_n[m/s]**2``.
 
+Signs here are the source's: angles bow **up** positive, wave slope positive where
+the surface rises towards the bow, velocities of the ship and of the surface
+positive downward. With these the impact angle is |pitch - slope|; the printed
+eq. (3) adds magnitudes and holds for a bow-down ship on a rising wave alone.
+
 .. [Chuang1975] S.-L. Chuang, J. T. Birmingham and A. J. Furio, "Experimental investigation
     of catamaran cross-structure slamming", NSRDC Report 4653, 1975.
 """
@@ -63,8 +68,8 @@ def planing_pressure(tangential_velocity, density):
     return density * np.square(tangential_velocity) / 2
 
 
-class MethodOne(NamedTuple):
-    """Velocities [m/s], impact angle [rad], k [-] and pressures [Pa] of Method I."""
+class Prediction(NamedTuple):
+    """Velocities [m/s], impact angle [rad], k [-] and pressures [Pa] of Method I or II."""
 
     normal_velocity: np.ndarray
     tangential_velocity: np.ndarray
@@ -84,7 +89,8 @@ def method_one(
     density,
     roll=0.0,
     small_angle_law: str = "program",
-) -> MethodOne:
+    trim=0.0,
+) -> Prediction:
     """Peak pressure by wave-surface kinematics ([Chuang1975]_ eqs 5-7, Method I).
 
     Parameters
@@ -95,32 +101,58 @@ def method_one(
     pitch : bow-**up** positive, as in the source [rad]; wave_slope : positive where the
         surface rises towards the bow [rad].
     density : [kg/m3]; roll : [rad].
+    trim : of a sloping deck against the ship's base, bow up positive [rad]; added to the pitch.
 
     Notes
     -----
     Head seas, flat bottom. The impact angle is |pitch - slope|, with roll by the
     square root of squares that the source's full-scale table obeys. The
-    velocities do not depend on units: with ft/s they come in ft/s.
+    velocities do not depend on units: with ft/s they come in ft/s. The source adds
+    the trim in the impact angle alone and gives no formula; here the deck's whole
+    attitude takes the place of the pitch, so that the vertical velocity still comes
+    out where the wave has no slope.
     """
-    difference = np.asarray(pitch) - np.asarray(wave_slope)
+    attitude = np.asarray(pitch, float) + trim
+    velocity = (np.asarray(heave_velocity) - wave_velocity) * np.cos(attitude) + pitch_velocity
+    normal, tangential, angle = on_wave_surface(velocity, attitude, wave_slope, roll)
+    return predicted(normal, tangential, angle, density, small_angle_law)
+
+
+def pitch_velocity(pitch_rate, lever):
+    """Velocity of the impact point by pitching, downward positive [m/s] ([Chuang1975]_ eq. 6).
+
+    Parameters
+    ----------
+    pitch_rate : bow-up positive [rad/s]; lever : from the centre of gravity forward to the impact point [m].
+    """
+    return -np.asarray(pitch_rate) * lever
+
+
+def on_wave_surface(velocity, attitude, wave_slope, roll=0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Velocity normal to the hull [m/s] resolved on the wave surface ([Chuang1975]_ eq. 7).
+
+    Returns
+    -------
+    Velocity normal to the wave surface, with the factor 1/cos(attitude)**2 that refers
+    it to the vertical velocity of the drop tests behind k; velocity along it, with
+    the sign of attitude - slope (without roll); impact angle [rad].
+    """
+    difference = np.asarray(attitude) - np.asarray(wave_slope)
     angle = np.hypot(difference, roll)
-    velocity = (np.asarray(heave_velocity) - wave_velocity) * np.cos(pitch) + pitch_velocity
-    normal = velocity * np.cos(angle) / np.cos(pitch) ** 2
+    normal = velocity * np.cos(angle) / np.cos(attitude) ** 2
     tangential = velocity * np.sin(np.where(np.asarray(roll) == 0, difference, angle))
+    return normal, tangential, angle
+
+
+def predicted(normal, tangential, angle, density, small_angle_law: str = "program") -> Prediction:
+    """Pressures of velocities [m/s] normal to and along the wave surface ([Chuang1975]_ eqs 1-5)."""
     impact = impact_pressure(normal, angle, density, small_angle_law)
     planing = planing_pressure(tangential, density)
-    return MethodOne(
-        normal,
-        tangential,
-        angle,
-        impact_coefficient(angle, small_angle_law),
-        impact,
-        planing,
-        impact + planing,
-    )
+    k = impact_coefficient(angle, small_angle_law)
+    return Prediction(normal, tangential, angle, k, impact, planing, impact + planing)
 
 
-def back_calculated_coefficient(recorded_pressure, method: MethodOne, density):
+def back_calculated_coefficient(recorded_pressure, method: Prediction, density):
     """Pressure constant k [-] that a recorded total peak pressure [Pa] implies."""
     impact = np.asarray(recorded_pressure) - method.planing_pressure
     return impact / (SQUARE_INCHES_PER_SQUARE_FOOT * density * method.normal_velocity**2)

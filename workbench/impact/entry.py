@@ -1,6 +1,6 @@
 """One interface to the theories of water entry: section, velocity and theory in, forces and pressures out."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,8 +10,18 @@ from scipy.interpolate import CubicHermiteSpline, CubicSpline
 from workbench import quantities
 from workbench.conventions import SEAWATER_DENSITY
 from workbench.errors import InputError, checked_choice, checked_number
-from workbench.impact import chuang, generalised_section, generalised_wagner, logvinovich, plate, similarity
+from workbench.impact import (
+    chuang,
+    generalised_section,
+    generalised_wagner,
+    logvinovich,
+    nonlinear_entry,
+    plate,
+    similarity,
+)
 from workbench.impact.entry_range import check_range, validity
+from workbench.impact.nonlinear import SURFACE_POINTS
+from workbench.impact.nonlinear_surface import EDGE
 from workbench.impact.plate import Instant
 from workbench.impact.quadrature import running_integral
 from workbench.impact.section import Section, Wedge
@@ -88,26 +98,29 @@ def entry(
     ``wetted_half_breadth``, ``wetted_rate``, ``section_force`` (both sides), ``peak_pressure``,
     ``peak_coefficient`` k = p_max/(rho V**2/2), ``peak_height``; over ``point`` too
     ``pressure_position`` and ``section_pressure``; over ``panel`` too ``panel_pressure``. The exact
-    wedge adds ``jet_height``; Chuang's k has no force and no distribution.
+    wedge adds ``jet_height``; the exact wedge and the non-linear method add, over ``surface_point``,
+    ``surface_position`` and ``surface_height``, the free surface from the jet outwards; Chuang's k
+    has no force and no distribution.
 
     Notes
     -----
     Gravity and air are left out. The wetted half-breadth of the exact wedge is that of the
     peak pressure while the peak is at the spray root, and that of the jet tip
-    where the largest pressure is at the apex.
+    where the largest pressure is at the apex; that of the non-linear method is where the
+    free surface is at right angles to the section, and its jet is cut off further out. It takes
+    1 to 10 s for a wedge at constant velocity, up to half a minute otherwise.
     """
     checked_choice("method", method, METHODS)
     checked_number("density", density, "kg/m3", above=0)
-    if method == "nonlinear":
-        raise InputError(
-            "The fully non-linear boundary-element method is not in this version; take similarity for a wedge or "
-            "generalised-wagner for another section."
-        )
     times = _checked_times(times)
     panels = [_checked_panel(panel) for panel in panels]
     penetration, speed, acceleration = _motion(velocity, times)
-    check_range(section, method, constant=not isinstance(velocity, VelocityHistory))
-    if method == "chuang":
+    constant = not isinstance(velocity, VelocityHistory)
+    check_range(section, method, constant)
+    surfaces = None
+    if method == "nonlinear":
+        instants, surfaces = nonlinear_entry.instants(section, _motion_at(velocity), times, constant)
+    elif method == "chuang":
         instants = [_chuang(section, v) for v in speed]
     elif method == "generalised-wagner" and not isinstance(section, Wedge):
         instants = generalised_section.instants(section, penetration, speed, acceleration)
@@ -116,7 +129,11 @@ def entry(
             _instant(section, method, *motion)
             for motion in zip(penetration, speed, acceleration, strict=True)
         ]
-    return _dataset(section, method, density, times, (penetration, speed, acceleration), panels, instants)
+    if method == "similarity":
+        surfaces = penetration[:, None] * _similar_surface(section.deadrise_angle)
+    return _dataset(
+        section, method, density, times, (penetration, speed, acceleration), panels, instants, surfaces
+    )
 
 
 def _checked_velocity(velocity) -> float:
@@ -148,6 +165,29 @@ def _motion(velocity, times: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nda
     penetration, speed, acceleration = velocity.motion(times)
     _checked_velocity(float(speed.min()))
     return penetration, speed, acceleration
+
+
+def _motion_at(velocity: float | VelocityHistory) -> Callable[[float], tuple[float, float, float]]:
+    """Penetration [m], velocity [m/s] and acceleration [m/s2] as a function of one time [s]."""
+    if not isinstance(velocity, VelocityHistory):
+        return lambda time: (velocity * time, velocity, 0.0)
+    spline = CubicSpline(velocity.times, velocity.velocities)
+    penetration, acceleration = spline.antiderivative(), spline.derivative()
+    return lambda time: (float(penetration(time)), float(spline(time)), float(acceleration(time)))
+
+
+def _similar_surface(deadrise_angle: float) -> np.ndarray:
+    """Free surface of the exact wedge from the jet tip outwards, y + i z over the penetration, as many points."""
+    found = similarity.similarity_solution(deadrise_angle)
+    surface = found.surface[np.abs(found.surface) < EDGE * found.wall_length]
+    tip = found.wall_length * np.exp(1j * deadrise_angle) - 1j
+    surface = np.concatenate([[tip], surface])
+    arc = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(surface)))])
+    # as many points per distance as the turn of the surface and the distance itself ask for
+    turn = np.abs(np.gradient(np.unwrap(np.angle(np.gradient(surface)))))
+    share = np.cumsum(turn + np.abs(np.gradient(np.log(arc + found.wall_length / 10))))
+    at = np.interp(np.linspace(share[0], share[-1], SURFACE_POINTS), share, np.arange(len(surface)))
+    return np.interp(at, np.arange(len(surface)), surface)
 
 
 def _instant(section: Section, method: str, penetration, velocity, acceleration) -> Instant:
@@ -194,7 +234,9 @@ def _chuang(section: Wedge, velocity: float) -> Instant:
     return Instant(np.nan, np.nan, nothing, nothing, nothing, np.nan, peak, np.nan)
 
 
-def _dataset(section, method, density, times, motion, panels, instants: list[Instant]) -> xr.Dataset:
+def _dataset(
+    section, method, density, times, motion, panels, instants: list[Instant], surfaces
+) -> xr.Dataset:
     penetration, speed, acceleration = motion
     peak = np.array([found.peak for found in instants])
     place = np.array([found.peak_position for found in instants])
@@ -229,6 +271,10 @@ def _dataset(section, method, density, times, motion, panels, instants: list[Ins
             variables["panel_inner"] = ("panel", [inner for inner, _ in panels])
             variables["panel_outer"] = ("panel", [outer for _, outer in panels])
             coords["panel"] = np.arange(len(panels))
+    if surfaces is not None:
+        variables["surface_position"] = (("time", "surface_point"), surfaces.real)
+        variables["surface_height"] = (("time", "surface_point"), surfaces.imag)
+        coords["surface_point"] = np.arange(surfaces.shape[1])
     if method == "similarity":
         found = similarity.similarity_solution(section.deadrise_angle)
         variables["jet_height"] = (

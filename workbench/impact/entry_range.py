@@ -11,6 +11,15 @@ AIR_CUSHION = 3.0
 STEEPEST_LOGVINOVICH = 70.0
 """Deadrise beyond which the modified Logvinovich model has no positive pressure worth the name [degrees]."""
 
+FLATTEST_NONLINEAR, STEEPEST_NONLINEAR = 4.0, 80.0
+"""Range of deadrise at the keel of the non-linear method [degrees]; within 0.6 % of the exact wedge inside."""
+
+STEEPEST_ROUND = 45.0
+"""Angle up to which the non-linear method was compared on sections other than wedges [degrees]."""
+
+SHARPEST_TURN = 10.0
+"""Turn at a corner of a table up to which the non-linear method was compared [degrees]."""
+
 BEYOND = {
     "von-karman": ((45.0, "Von Karman's theory holds for small deadrise"),),
     "wagner": (
@@ -57,6 +66,18 @@ def check_range(section: Section, method: str, constant: bool) -> None:
             cure="take the similarity solution",
         )
 
+    if method == "nonlinear":
+        keel = np.degrees(np.arctan(float(section.slope(0.0))))
+        if keel > 0:
+            checked_number(
+                "deadrise at the keel for the non-linear method",
+                keel,
+                "degrees",
+                at_least=FLATTEST_NONLINEAR - 1e-9,
+                at_most=STEEPEST_NONLINEAR + 1e-9,
+                cure="take generalised-wagner below and the similarity solution above",
+            )
+
 
 def validity(section: Section, method: str, half_breadth: np.ndarray, peak_position) -> tuple[str, ...]:
     """Sentences on what lies outside the range of the theory."""
@@ -84,6 +105,19 @@ def validity(section: Section, method: str, half_breadth: np.ndarray, peak_posit
         sentences.append(
             "The corners of the table are rounded over a quarter of the shorter piece beside each."
         )
+    if method == "nonlinear" and not isinstance(section, Wedge):
+        if angles.max() > STEEPEST_ROUND:
+            sentences.append(
+                f"The non-linear method was compared up to {STEEPEST_ROUND:g} degrees on sections other than wedges; "
+                f"this one meets the water at {angles.max():.3g} degrees."
+            )
+        turn = _sharpest_turn(section, finite.max(initial=0.0))
+        if turn > SHARPEST_TURN:
+            sentences.append(
+                f"The section turns by {turn:.3g} degrees at a corner; the non-linear method was compared up to "
+                f"{SHARPEST_TURN:g}, and its flow has suction there, which real water escapes by leaving the section."
+            )
+        sentences.append("The jet is kept on the section throughout; no water leaves it.")
     if method == "similarity" and np.all(peak_position == 0):
         sentences.append(
             "The largest pressure is at the apex; the wetted half-breadth is that of the jet tip."
@@ -93,3 +127,12 @@ def validity(section: Section, method: str, half_breadth: np.ndarray, peak_posit
             "Chuang's k is a fit to drop tests of three-dimensional bodies and gives neither force nor distribution."
         )
     return tuple(sentences)
+
+
+def _sharpest_turn(section: Section, breadth: float) -> float:
+    """Largest turn of a table at a corner inside a half-breadth [degrees]."""
+    if not isinstance(section, TableSection):
+        return 0.0
+    y, z = np.array(section.points).T
+    turns = np.degrees(np.diff(np.arctan(np.diff(z) / np.diff(y))))
+    return float(turns[y[1:-1] < breadth].max(initial=0.0))

@@ -24,7 +24,8 @@ class WedgeFlow(NamedTuple):
 
     ``spread`` is c/(V t). Over the side, from the contact point to the apex:
     ``stretched`` coordinate, ``position`` s = y/c, ``slope_factor`` ds/d(stretched), potential
-    ``potential`` Theta(s), its ``derivative``, and the ``speed`` along the side.
+    ``potential`` Theta(s), its ``derivative``, and the ``speed`` along the side. Over the level of the edge,
+    outwards: ``log_level`` ln(s - 1) and ``risen``, the integral of V_rel/V over ds/s**2 from s to infinity.
     """
 
     spread: float
@@ -34,6 +35,8 @@ class WedgeFlow(NamedTuple):
     potential: np.ndarray
     derivative: np.ndarray
     speed: np.ndarray
+    log_level: np.ndarray
+    risen: np.ndarray
 
 
 @lru_cache(maxsize=64)
@@ -54,8 +57,11 @@ def wedge_flow(deadrise_angle: float) -> WedgeFlow:
     u = np.linspace(-45.0, 45.0, SHARE_NODES)
     outside = np.exp(u)
     growth = outside ** (1 - 2 * e) * (1 + outside**2) ** (e - 0.5)
-    level = 1 + scale * cumulative_simpson(growth * outside, x=u, initial=0.0)
-    spread = scale * np.trapezoid(outside / level**2, u) / np.tan(deadrise_angle)
+    near = growth[0] * outside[0] / (2 - 2 * e)
+    beyond = scale * (near + cumulative_simpson(growth * outside, x=u, initial=0.0))
+    share = outside / (1 + beyond) ** 2
+    spread = scale * np.trapezoid(share, u) / np.tan(deadrise_angle)
+    risen = scale * cumulative_simpson(share[::-1], x=u, initial=0.0)[::-1]
 
     v = np.linspace(-60.0, 40.0 / (e + 0.5), SHARE_NODES)
     log_w, log_rest = -np.logaddexp(0, -v), -np.logaddexp(0, v)
@@ -69,7 +75,15 @@ def wedge_flow(deadrise_angle: float) -> WedgeFlow:
     speed = 1 / growth
     position[-1], speed[-1] = 0.0, 0.0
     return WedgeFlow(
-        float(spread), v, position, np.cos(deadrise_angle) * inside, potential, derivative, speed
+        float(spread),
+        v,
+        position,
+        np.cos(deadrise_angle) * inside,
+        potential,
+        derivative,
+        speed,
+        np.log(beyond),
+        risen,
     )
 
 

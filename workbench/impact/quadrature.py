@@ -1,8 +1,32 @@
 """Integration of smooth functions on a uniform grid: running integral of eighth order, principal value."""
 
+from fractions import Fraction
+from functools import cache
+
 import numpy as np
 
 ORDER = 8
+
+
+@cache
+def _interval_weights() -> np.ndarray:
+    """Weights of eight values for the integral over each of the seven intervals between them, (interval, value).
+
+    In exact fractions: rounded inverses of the matrix of powers leave errors that sums over many intervals carry far.
+    """
+    weights = np.zeros((ORDER - 1, ORDER))
+    for value in range(ORDER):
+        basis = [Fraction(1)]
+        for other in (node for node in range(ORDER) if node != value):
+            scale = Fraction(1, value - other)
+            longer = [Fraction(0), *(scale * c for c in basis)]
+            basis = [a - other * scale * c for a, c in zip(longer, [*basis, Fraction(0)], strict=True)]
+        for start in range(ORDER - 1):
+            integral = sum(
+                c * Fraction((start + 1) ** (n + 1) - start ** (n + 1), n + 1) for n, c in enumerate(basis)
+            )
+            weights[start, value] = float(integral)
+    return weights
 
 
 def running_integral(count: int, step: float) -> np.ndarray:
@@ -10,15 +34,11 @@ def running_integral(count: int, step: float) -> np.ndarray:
 
     Each interval is integrated over the polynomial through its eight nearest points.
     """
-    nodes = np.arange(ORDER)
-    power = np.arange(1, ORDER + 1)
-    coefficients = np.linalg.inv(np.vander(nodes.astype(float), ORDER, increasing=True))
+    weights = step * _interval_weights()
     steps = np.zeros((count, count))
     for i in range(count - 1):
         first = min(max(i - ORDER // 2 + 1, 0), count - ORDER)
-        start = float(i - first)
-        moments = ((start + 1) ** power - start**power) / power
-        steps[i + 1, first : first + ORDER] = step * moments @ coefficients
+        steps[i + 1, first : first + ORDER] = weights[i - first]
     return np.cumsum(steps, axis=0)
 
 

@@ -9,6 +9,7 @@ import xarray as xr
 
 from workbench import quantities
 from workbench.impact.pressure import PressureLaw, peak_pressure
+from workbench.slamming.level_crossings import crossings
 from workbench.slamming.statistics import HOUR
 from workbench.time_domain import record_blocks
 
@@ -60,19 +61,14 @@ def entries(
     20 Hz on 400 points costs about 2 s.
     """
     shape = deck.height.shape
-    height = deck.height.values.reshape(-1, 1).astype(np.float32)
+    height = deck.height.values.reshape(-1, 1)
     relative_flat = relative_amplitudes.reshape(len(frequency), -1)
     slope_flat = slope_amplitudes.reshape(len(frequency), -1)
     found = []
     for start, rise in record_blocks(relative_flat, frequency, duration, time_step, overlap=3):
-        above = rise >= height
-        crossing = ~above[:, 1:-2] & above[:, 2:-1]
-        point, index = np.nonzero(crossing)
-        index = index + 1
+        point, index, share, velocity = crossings(rise, height)
         if not point.size:
             continue
-        four = np.stack([rise[point, index + step] for step in (-1, 0, 1, 2)]).astype(float)
-        share, velocity = _crossing(four - deck.height.values.ravel()[point])
         instant = (start + index + share) * time_step
         phase = np.exp(-1j * np.multiply.outer(frequency, instant))
         water = np.einsum("ce,ce->e", slope_flat[:, point], phase).real
@@ -103,20 +99,6 @@ def entries(
         entry_angle=("event", angle),
         peak_pressure=("event", pressure),
     )
-
-
-def _crossing(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Zero of the cubic through samples at -1, 0, 1, 2 between 0 and 1, and its slope there (per step)."""
-    before, first, second, after = samples
-    cubic = (after - before) / 6 + (first - second) / 2
-    square = (before + second) / 2 - first
-    linear = second - before / 3 - first / 2 - after / 6
-    share = first / np.where(first == second, -1.0, first - second)
-    for _ in range(4):
-        value = first + share * (linear + share * (square + share * cubic))
-        slope = linear + share * (2 * square + 3 * share * cubic)
-        share = np.clip(share - value / np.where(np.abs(slope) < 1e-12, np.inf, slope), 0.0, 1.0)
-    return share, linear + share * (2 * square + 3 * share * cubic)
 
 
 def counts(events: xr.Dataset, deck: xr.Dataset) -> xr.Dataset:
@@ -163,7 +145,7 @@ def counts(events: xr.Dataset, deck: xr.Dataset) -> xr.Dataset:
 
 def parts_of_record(times: np.ndarray, duration: float) -> np.ndarray:
     """Index of the equal part of the record that each time [s] falls in."""
-    return np.minimum((times / duration * PARTS).astype(int), PARTS - 1)
+    return np.clip((times / duration * PARTS).astype(int), 0, PARTS - 1)
 
 
 def grouping_dispersion(grouped: np.ndarray) -> float:

@@ -80,7 +80,7 @@ def tail_extremes(
     attrs = {"hours": hours, "risk": risk, "tail": tail, "duration": duration}
     if count < LEAST_COUNT[tail]:
         note = (
-            f"Too few slams for a {tail.replace('-', ' ')} tail: {total} with a pressure, of which {count} above a "
+            f"Too few slams for the {tail.replace('-', ' ')} tail: {total} with a pressure, of which {count} above a "
             f"threshold, {LEAST_COUNT[tail]} needed; simulate longer, or take the closed form."
         )
         return _result(dict.fromkeys(_NAMES, np.nan) | {"tail_count": count}, attrs, (note,))
@@ -177,10 +177,11 @@ def _likely(
     rates = rate * np.exp(np.linspace(-reach, reach, 15))
     scales = scale * np.exp(np.linspace(-2 * reach, 2 * reach, 121))
     shapes = _SHAPES if tail == "generalised-pareto" else np.zeros(1)
-    small = np.where(np.abs(shapes) < 1e-9, 1e-9, shapes)[:, None, None]
+    small = np.where(np.abs(shapes) < 1e-9, 1e-9, shapes)
+    ratios = excesses / scales[:, None]
     with np.errstate(invalid="ignore", divide="ignore"):
-        stretched = np.log1p(small * excesses / scales[:, None])
-        of_tail = -number * np.log(scales) - (1 + 1 / small[..., 0]) * stretched.sum(axis=-1)
+        stretched = np.stack([np.log1p(one * ratios).sum(axis=-1) for one in small])
+    of_tail = -number * np.log(scales) - (1 + 1 / small[:, None]) * stretched
     of_tail = np.where(np.isfinite(of_tail), of_tail, -np.inf)
     of_rate = number * (np.log(rates / rate) - rates / rate)
     whole = (of_tail[None] + of_rate[:, None, None]) / dispersion

@@ -91,7 +91,7 @@ def _peak_height(beta: float) -> float:
 
 def _theory_cases() -> list[Case]:
     made = []
-    for method in ("von-karman", "wagner", "logvinovich", "generalised-wagner", "similarity"):
+    for method in ("von-karman", "wagner", "logvinovich", "generalised-wagner", "nonlinear", "similarity"):
         for degrees, exact in EXACT.items():
             for index, quantity in enumerate(("peak", "force")):
                 if method == "von-karman" and quantity == "peak":

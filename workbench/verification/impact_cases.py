@@ -90,7 +90,7 @@ def _rows_with_wave_velocity() -> float:
     return sum(abs(wave_velocity(row) - float(row["wave_velocity_fps"])) <= 0.025 for row in rows)
 
 
-def ship_slam(row: dict[str, str]) -> chuang.MethodOne:
+def ship_slam(row: dict[str, str]) -> chuang.Prediction:
     """Method I for one row of Chuang's table A.1, in feet and slugs."""
     return chuang.method_one(
         float(row["heave_velocity_fps"] or 0.0),

@@ -5,16 +5,22 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from workbench.verification import (
+    amin_cases,
+    baggus_cases,
     body_cases,
+    chuang_cases,
+    chuang_load_cases,
     condition_cases,
     counting_cases,
     delft_cases,
     encounter_cases,
     entry_cases,
     feature_table,
+    free_surface_cases,
     high_speed_cases,
     impact_cases,
     model_cases,
+    nonlinear_cases,
     parametric_cases,
     pressure_statistics_cases,
     record_cases,
@@ -24,13 +30,20 @@ from workbench.verification import (
     section_cases,
     ship_cases,
     simulation_cases,
+    spreading_plate,
     strip_cases,
+    wet_deck_cases,
 )
 from workbench.verification.case import VERDICTS, Case, Outcome, outcome
 
 GROUPS = {
     "impact pressure": impact_cases,
+    "slams of cross structures": chuang_cases,
+    "gauges and design load": chuang_load_cases,
     "water entry of sections": entry_cases,
+    "pressure over the wet deck": wet_deck_cases,
+    "water beside an entering section": free_surface_cases,
+    "non-linear water entry": nonlinear_cases,
     "seas and statistics": sea_cases,
     "counting": counting_cases,
     "statistics of slam pressure": pressure_statistics_cases,
@@ -43,6 +56,9 @@ GROUPS = {
     "high-speed theory": high_speed_cases,
     "any ship": ship_cases,
     "heavy-lift model": model_cases,
+    "wet-deck slam of the heavy-lift model": baggus_cases,
+    "spreading plate": spreading_plate,
+    "slam loads of the Incat 98 m": amin_cases,
     "sailing multihulls": sail_cases,
     "parametric studies": parametric_cases,
     "studies over conditions": condition_cases,

@@ -11,6 +11,7 @@ from workbench.wet_deck_pressure.deck_motion import FRAMES
 from workbench.wet_deck_pressure.strips import DIRECTIONS
 
 REDUCTIONS = ("none", "pabst")
+PRESSURES = ("wagner", "logvinovich")
 ATMOSPHERE = 101325.0
 """Largest suction that water bears without cavities [Pa]."""
 
@@ -23,6 +24,8 @@ class DeckPressureSettings:
     ----------
     direction : of the strips, "lengthwise", "across" or "auto" (across for decks with a pod or centre bow).
     frame : "material" (closing velocity of deck and water particle) or "time-derivative" (of the gap).
+    pressure : "wagner" (the outer pressure, whose impulse is that of the added mass) or "logvinovich" (less
+        what Bernoulli's squared velocity takes of it, as the modified Logvinovich model has it).
     suction : largest suction that the deck bears before air gets under it [Pa]; 0 lets air in at once.
     reduction : for the finite width of the deck, "none" (the hulls beside it keep the flow in its plane) or
         "pabst" (the added mass of a rectangular plate in open water, [Pabst1930]_).
@@ -32,6 +35,7 @@ class DeckPressureSettings:
 
     direction: str = "auto"
     frame: str = "material"
+    pressure: str = "wagner"
     suction: float = 0.0
     reduction: str = "none"
     time_step: float | None = None
@@ -40,6 +44,7 @@ class DeckPressureSettings:
     def __post_init__(self):
         checked_choice("direction of the strips", self.direction, DIRECTIONS)
         checked_choice("frame of the closing velocity", self.frame, FRAMES)
+        checked_choice("pressure model", self.pressure, PRESSURES)
         checked_choice("reduction for the width of the deck", self.reduction, REDUCTIONS)
         checked_number(
             "suction", self.suction, "Pa", at_least=0, at_most=ATMOSPHERE, cure="the atmosphere bears no more"

@@ -58,7 +58,7 @@ def pressure_steps(
     chosen = np.flatnonzero(wet)
     profiles = _profiles(motion, strips, fields, chosen)
     intervals = wetted_intervals(profiles)
-    flow = panel_flow(profiles, intervals, strips.edges)
+    flow = panel_flow(profiles, intervals, strips.edges, settings.pressure == "logvinovich")
     in_water = np.zeros(count * shape[0], bool)
     in_water[chosen[intervals.row]] = True
 
@@ -67,20 +67,22 @@ def pressure_steps(
         full[chosen] = values
         return full.reshape(count, shape[0], *values.shape[1:])
 
-    impulse, pressure, drift = (
-        spread_out(v) for v in (flow.potential_impulse, flow.pressure, flow.drift + flow.edges)
+    impulse, pressure, drift, taken = (
+        spread_out(values)
+        for values in (flow.potential_impulse, flow.pressure, flow.drift + flow.edges, flow.taken)
     )
     spreading, is_wet = spread_out(flow.is_spreading, True), in_water.reshape(count, -1)
     if settings.reduction == "pabst":
         share = spread_out(_finite_width(profiles, intervals, strips), 1.0)[..., None]
-        impulse, pressure, drift = share * impulse, share * pressure, share * drift
+        impulse, pressure, drift, taken = (share * part for part in (impulse, pressure, drift, taken))
     step = np.where(np.diff(times) > 0, np.diff(times), np.inf)[:, None, None]
     by_impulse = np.diff(impulse, axis=0) / step + (drift[1:] + drift[:-1]) / 2
     grows = spreading[1:] & spreading[:-1] & is_wet[1:]
     mean = np.where(grows[..., None], by_impulse, (pressure[1:] + pressure[:-1]) / 2)
+    mean -= (taken[1:] + taken[:-1]) / 2
     mean[np.isinf(step[:, 0, 0])] = 0.0
     panel_length = float(strips.edges[1] - strips.edges[0])
-    depth = np.maximum(fields[0] - strips.lowest, 0.0) * is_wet[..., None]
+    depth = np.maximum(fields[0] - strips.mean, 0.0) * is_wet[..., None]
     total = density * (mean / panel_length + GRAVITY * (depth[1:] + depth[:-1]) / 2)
     total = np.maximum(total, 0.0 - settings.suction) + 0.0  # no negative zeros
 

@@ -22,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.impact.wagner import AIR_CUSHION_ANGLE
+from workbench.wet_deck_pressure.squared_velocity import taken_by_squared_velocity
 from workbench.wet_deck_pressure.strip_profiles import StripProfiles
 from workbench.wet_deck_pressure.wetted_interval import ANGLES, COSINES, POINTS, WettedIntervals
 
@@ -41,7 +42,8 @@ class PanelFlow(NamedTuple):
 
     ``potential_impulse`` -int phi dx [m3/s]; ``pressure`` int p/rho dx [m3/s2] at the instant;
     ``drift`` what the speed of the deck through the water adds to the growth of the impulse [m3/s2];
-    ``edges`` what separation at the edges of the deck adds [m3/s2]; ``is_spreading`` (K,): whether no free
+    ``edges`` what separation at the edges of the deck adds [m3/s2]; ``taken`` what the squared velocity takes
+    [m3/s2], nothing unless asked for; ``is_spreading`` (K,): whether no free
     end recedes; ``root_pressure`` (K,) largest pressure at a jet root, p/rho [m2/s2]; ``roots`` number of
     jet roots that advance, ``fast_roots`` of those that meet the deck at less than 3 degrees.
     """
@@ -50,19 +52,26 @@ class PanelFlow(NamedTuple):
     pressure: np.ndarray
     drift: np.ndarray
     edges: np.ndarray
+    taken: np.ndarray
     is_spreading: np.ndarray
     root_pressure: np.ndarray
     roots: int
     fast_roots: int
 
 
-def panel_flow(profiles: StripProfiles, intervals: WettedIntervals, panel_edges: np.ndarray) -> PanelFlow:
+def panel_flow(
+    profiles: StripProfiles,
+    intervals: WettedIntervals,
+    panel_edges: np.ndarray,
+    squared_velocity: bool = False,
+) -> PanelFlow:
     """Integrate potential and pressure over panels.
 
     Parameters
     ----------
     profiles : water and deck; intervals : their wetted intervals.
     panel_edges : (panels + 1) places along the strip, growing [m].
+    squared_velocity : whether to find what Bernoulli's squared velocity takes from the pressure.
 
     Notes
     -----
@@ -96,8 +105,12 @@ def panel_flow(profiles: StripProfiles, intervals: WettedIntervals, panel_edges:
     )
 
     count = len(profiles)
+    taken = np.zeros_like(pressure)
+    if squared_velocity:
+        taken = taken_by_squared_velocity(velocity, rate, half, spreads_aft, spreads_fore, angle)
     gathered = [
-        _per_row(np.diff(part, axis=1), row, count) for part in (impulse, pressure, -u * potential, edges)
+        _per_row(np.diff(part, axis=1), row, count)
+        for part in (impulse, pressure, -u * potential, edges, taken)
     ]
     recedes = ((intervals.fore_rate < 0) & ~intervals.at_fore) | (
         (intervals.aft_rate > 0) & ~intervals.at_aft

@@ -33,6 +33,7 @@ class StripProfiles:
     edge_speed: float = 0.0
 
     def __post_init__(self):
+        object.__setattr__(self, "_has_table", bool(np.any(self.table)))
         slopes = slope_operator(self.nodes).T
         for name in ("rise", "velocity", "acceleration"):
             object.__setattr__(self, f"_{name}_slopes", getattr(self, name) @ slopes)
@@ -57,6 +58,8 @@ class StripProfiles:
     def penetration(self, rows: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Height of the water above the deck [m] and its slope along the strip [-] at places x (rows, q)."""
         rise, slope = self._cubic(self.rise, self._rise_slopes, rows, x)
+        if not self._has_table:
+            return rise, slope
         deck, deck_slope = self.deck(rows, x)
         return rise - deck, slope - deck_slope
 
@@ -104,10 +107,14 @@ class StripProfiles:
         values, slopes = values.ravel(), slopes.ravel()
         if count == 1:
             return values[flat], np.zeros(x.shape)
-        low, high = values[flat], values[flat + 1]
-        left, right = slopes[flat] * step, slopes[flat + 1] * step
-        jump = high - low
-        square, cube = 3 * jump - 2 * left - right, left + right - 2 * jump
+        low, left = np.take(values, flat), np.take(slopes, flat)
+        flat += 1
+        jump, right = np.take(values, flat), np.take(slopes, flat)
+        jump -= low
+        left *= step
+        right *= step
+        cube = left + right - 2 * jump
+        square = jump - left - cube
         return low + t * (left + t * (square + t * cube)), (left + t * (2 * square + 3 * t * cube)) / step
 
 

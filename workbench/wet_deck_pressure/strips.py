@@ -57,6 +57,12 @@ class DeckStrips:
         inside = self.table[:, :-1].reshape(len(self.table), len(self.nodes), -1).min(axis=2)
         return np.minimum(inside, self.table[:, _TABLE_PER_PANEL::_TABLE_PER_PANEL])
 
+    @property
+    def mean(self) -> np.ndarray:
+        """Mean height of the deck over each panel (strip, panel) [m]."""
+        middle = (self.table[:, 1:] + self.table[:, :-1]) / 2
+        return middle.reshape(len(self.table), len(self.nodes), -1).mean(axis=2)
+
     def by_strip(self, field: np.ndarray) -> np.ndarray:
         """Field (..., x, y) of the grid as (..., strip, panel)."""
         return np.swapaxes(field, -1, -2) if self.is_lengthwise else field

@@ -21,15 +21,21 @@ class WetStretches(NamedTuple):
     is_whole: np.ndarray
 
 
-def wet_stretches(motion: DeckMotion, strips: DeckStrips, gap: float) -> WetStretches:
+def wet_stretches(
+    motion: DeckMotion, strips: DeckStrips, gap: float, marking: np.ndarray | None = None
+) -> WetStretches:
     """Find the wet stretches of a record.
 
     Parameters
     ----------
     motion : water against the deck; strips : of the deck.
     gap : dry time [s] up to which two stretches are one slam.
+    marking : (x, y) whether a panel that gets wet marks a slam; None lets all do so. Panels low beside the
+        hulls are in the water so often that no slam would ever end by them.
     """
     height = strips.on_grid(strips.lowest).astype(np.float32)
+    if marking is not None:
+        height = np.where(marking, height, np.float32(np.inf))
     wet = (motion.rise > height).any(axis=(1, 2))
     change = np.diff(np.concatenate([[0], wet.astype(np.int8), [0]]))
     starts, ends = np.flatnonzero(change == 1), np.flatnonzero(change == -1)

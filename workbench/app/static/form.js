@@ -78,6 +78,32 @@ function render({ model, el }) {
     return finish(field, { box }, block, id);
   }
 
+  function textField(field) {
+    const id = `wb-${field.name}`;
+    const box = element("textarea", { id, class: "wb-text", rows: "6", spellcheck: "false", "aria-describedby": `${id}-note ${id}-problem` });
+    const part = { box };
+    box.addEventListener("input", () => {
+      touch(field.name);
+      clearTimeout(part.typing);
+      part.typing = setTimeout(() => tell(field.name, box.value), 700);
+    });
+    box.addEventListener("change", () => { touch(field.name); clearTimeout(part.typing); tell(field.name, box.value); });
+    const file = element("input", { type: "file", accept: ".csv,.txt,text/plain", hidden: true, "aria-label": `${field.label}, file` });
+    file.addEventListener("change", async () => {
+      const chosen = file.files[0];
+      if (!chosen) return;
+      box.value = chosen.size > 1e6 ? "#".repeat(100000) : await chosen.text();
+      file.value = "";
+      touch(field.name);
+      tell(field.name, box.value);
+    });
+    const load = element("button", { type: "button", class: "wb-button", text: "Load a CSV file…" });
+    load.addEventListener("click", () => file.click());
+    const block = element("div", { class: "wb-field", "data-name": field.name },
+      element("label", { for: id, text: field.label }), box, element("div", { class: "wb-buttons" }, load), file);
+    return finish(field, part, block, id);
+  }
+
   function finish(field, part, block, id) {
     part.note = element("div", { class: "wb-note", id: `${id}-note` });
     part.problem = element("div", { class: "wb-problem", id: `${id}-problem`, role: "alert" });
@@ -124,7 +150,8 @@ function render({ model, el }) {
       const details = element("details", { class: "wb-group", "data-key": key, open: open[key] ?? isOpen },
         element("summary", { text: heading }));
       if (key === "design") details.append(designField());
-      for (const field of own) details.append(field.kind === "choice" ? choiceField(field) : numberField(field));
+      const kinds = { choice: choiceField, text: textField };
+      for (const field of own) details.append((kinds[field.kind] ?? numberField)(field));
       form.append(details);
     }
     if (focused) document.getElementById(focused)?.focus();
