@@ -170,6 +170,7 @@ def test_choices_of_the_pressure_over_the_deck_reach_the_case_and_go_round(model
     assert first.deck_pressure == DeckPressureSettings()
     changes = {
         "deck_strips": "across",
+        "deck_model": "logvinovich",
         "deck_suction": "atmosphere",
         "deck_reduction": "pabst",
         "averaging": "value",
@@ -178,7 +179,7 @@ def test_choices_of_the_pressure_over_the_deck_reach_the_case_and_go_round(model
         model.change(name, value)
     case = model.case()
     assert case.deck_pressure == DeckPressureSettings(
-        direction="across", suction=ATMOSPHERE, reduction="pabst", time_step=0.004
+        direction="across", pressure="logvinovich", suction=ATMOSPHERE, reduction="pabst", time_step=0.004
     )
     assert case.deck_pressure_key != first.deck_pressure_key
     assert case.scene_key != first.scene_key

@@ -9,8 +9,8 @@ from workbench.errors import checked_number
 from workbench.wet_deck_pressure.settings import ATMOSPHERE, DeckPressureSettings
 
 DECK_PRESSURE_DEFAULTS: dict[str, Any] = {
-    "deck_strips": "auto", "deck_model": "wagner", "deck_suction": "none", "deck_reduction": "none", "averaging": "auto",
-    "averaging_time": 10.0,
+    "deck_strips": "auto", "deck_model": "wagner", "deck_suction": "none", "deck_reduction": "none",
+    "averaging": "auto", "averaging_time": 10.0,
 }  # fmt: skip
 SHORTEST_MS, LONGEST_MS = 2.0, 50.0
 """Averaging times that the page takes [ms]; shorter ones cost too long for an hour of slams."""
