@@ -304,12 +304,19 @@ def test_run_writes_a_whole_study(capsys, tmp_path):
         "motions.csv",
         "slamming.csv",
         "slams.csv",
+        "deck-slams.csv",
+        "deck-slams.nc",
+        "hardest-slam.csv",
+        "hardest-slam.nc",
         "design.toml",
         "animation.html",
     } <= names
     assert {"figures/motions.png", "figures/slams.svg", "figures/clearance.png"} <= names
+    assert {"figures/envelope.png", "figures/pressure-area.svg"} <= names
     page = (out / "index.html").read_text()
     assert "this deck slams" in page
+    assert "<h2>Pressure over the wet deck</h2>" in page
+    assert all(f'href="{name}"' in page for name in names if name.startswith(("deck-slams", "hardest")))
     assert "http" not in page.replace("http-equiv", "")
     import xarray as xr
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from workbench import pipeline, pressure_stage, pressure_tables
+from workbench import animation, pipeline, pressure_stage, pressure_tables
 from workbench.cache import load_dataset
 from workbench.cli import main
 from workbench.errors import InputError
@@ -218,3 +218,39 @@ def test_command_refuses_in_one_sentence(capsys, options, words):
     assert err.startswith("workbench: ")
     assert words in err
     assert len(err.strip().splitlines()) == 1
+
+
+def test_film_shows_the_largest_pressure_about_each_picture(ship):
+    deck = realised(ship, time_step=0.01)
+    slams = pressure_stage.slam_pressures(deck)
+    hardest = slams.isel(slam=int(pressure_stage.hardest_slams(slams, 1)[0]))
+    start, step, frames = float(hardest.slam_start), 0.1, 30
+    film = animation.deck_pressure_film(deck, start, step, frames)
+    assert film.attrs["time_step"] == pytest.approx(0.01)
+    np.testing.assert_allclose(film.time, step * np.arange(frames))
+    fine = pressure_stage.slam_history(deck, start - step / 2, frames * step)
+    for name in ("deck_pressure", "deck_force", "wetted_area"):
+        grouped = fine[name].values.reshape(frames, 10, *fine[name].shape[1:]).max(axis=1)
+        np.testing.assert_allclose(film[name].values, grouped, rtol=1e-5, atol=1e-3)
+    picture = int(film.deck_force.values.argmax())
+    moment = int(fine.deck_force.values.argmax())
+    assert moment // 10 == picture
+    assert float(film.deck_force_x[picture]) == pytest.approx(float(fine.deck_force_x[moment]), rel=1e-5)
+
+
+def test_animation_takes_the_pressure_of_the_theory(ship):
+    _, found, relative, slam = ship
+    realisation = Realisation(hours=0.05)
+    events, _ = pipeline.counted_slams(found, relative, slam, realisation)
+    plain = animation.animation_scene(found, relative, slam, events, realisation, frames=160)
+    scene = animation.animation_scene(
+        found, relative, slam, events, realisation, realised=realised(ship), frames=160
+    )
+    assert "deck_force" not in plain
+    assert scene.sizes == plain.sizes
+    np.testing.assert_allclose(scene.elevation, plain.elevation)
+    assert not np.allclose(scene.pressure, plain.pressure)
+    pressed = scene.pressure.max(("x", "y")).values > 0
+    assert pressed.any()
+    assert np.all(scene.wetted_area.values[pressed] > 0)
+    assert scene.attrs["pressure_step"] <= 0.02

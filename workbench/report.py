@@ -8,7 +8,16 @@ from matplotlib.figure import Figure
 
 from workbench import __version__, quantities
 from workbench.conventions import KNOT, MODES, TRANSLATIONS
-from workbench.figures import clearance, counts, deck_plan, hull_lines, motions, pressure, style
+from workbench.figures import (
+    clearance,
+    counts,
+    deck_plan,
+    hull_lines,
+    motions,
+    pressure,
+    pressure_area,
+    style,
+)
 from workbench.geometry.sections import surface
 from workbench.motions import lead_over_wave
 from workbench.verdict import verdict
@@ -25,7 +34,11 @@ CAPTIONS = {
     "pressure": "Most probable largest peak pressure over the wet deck",
     "pressures": "Peak pressures of the counted slams",
     "arrangement": "Hulls and wet deck",
+    "envelope": "Largest pressure averaged over each panel of the deck, of all slams",
+    "pressure-area": "Average pressure against the area averaged over",
 }
+OF_DECK_PRESSURE = "envelope", "pressure-area"
+"""Figures of the pressure over the deck by the wet-deck theory."""
 
 
 def drawn(figure: Figure, kind: str) -> bytes:
@@ -77,6 +90,10 @@ def pictures(done: "Study") -> dict[str, Figure]:
         "arrangement": hull_lines.arrangement_figure(
             *surface(done.ship.design.hull), slam.deck, done.ship.design.masses.centre_of_gravity
         ),
+        "envelope": deck_plan.deck_plan_figure(
+            done.deck_slams.pressure_envelope, slam.deck, nothing="The deck stays dry."
+        ),
+        "pressure-area": pressure_area.pressure_area_figure(done.deck_slams),
     }
 
 
@@ -119,7 +136,10 @@ def index_page(done: "Study", summary: dict[str, Any], names: list[str], film: b
         ("summary.json", "the numbers of the command line"),
         ("motions.csv", "motions per wave amplitude"),
         ("slamming.csv", "statistics at every point of the deck"),
-        ("slams.csv", "every counted slam"),
+        ("slams.csv", "every counted entry of a point of the deck"),
+        ("deck-slams.csv", "pressure, force and impulse of every slam, by the wet-deck theory"),
+        ("deck-slams.nc", "all of that with the panels' pressures and the envelope (netCDF)"),
+        *_hardest_files(done),
         ("design.toml", "the design"),
     ]
     return environment.get_template("index.html.j2").render(
@@ -128,7 +148,8 @@ def index_page(done: "Study", summary: dict[str, Any], names: list[str], film: b
         notes=quantities.warnings_of(slam.statistics),
         numbers=numbers,
         motions=_motion_rows(done),
-        figures=[(name, CAPTIONS[name]) for name in names],
+        figures=[(name, CAPTIONS[name]) for name in names if name not in OF_DECK_PRESSURE],
+        deck_pressure=_deck_pressure(done),
         files=contents,
         film=film,
         version=__version__,
@@ -148,3 +169,37 @@ def _motion_rows(done: "Study") -> list[tuple[str, ...]]:
         )
         rows.append((mode, *deviations, unit + ", /s, /s²"))
     return rows
+
+
+def _hardest_files(done: "Study") -> list[tuple[str, str]]:
+    """Return the files of the hardest slam; none where the deck stays dry."""
+    if done.hardest_slam is None:
+        return []
+    return [
+        ("hardest-slam.csv", "force and wetted area of the slam with the largest panel pressure, in time"),
+        ("hardest-slam.nc", "pressure of every panel in that slam, in time (netCDF)"),
+    ]
+
+
+def _deck_pressure(done: "Study") -> dict[str, Any]:
+    """Return what the page says about the pressure over the deck by the wet-deck theory."""
+    slams, count = done.deck_slams, done.deck_slams.sizes["slam"]
+    attrs = slams.attrs
+    rows = [("slams", f"{count}", f"in {attrs['duration'] / 3600:.3g} h")]
+    if count:
+        rows += [
+            ("largest panel pressure", f"{float(slams.slam_pressure.max()) / 1e3:.4g}", "kPa"),
+            ("exceeded in a tenth of the slams", f"{np.quantile(slams.slam_pressure, 0.9) / 1e3:.4g}", "kPa"),
+            ("largest force", f"{float(slams.slam_force.max()) / 1e3:.4g}", "kN"),
+            ("largest impulse", f"{float(slams.slam_impulse.max()) / 1e3:.4g}", "kN s"),
+            ("largest wetted area", f"{float(slams.slam_wetted_area.max()):.4g}", "m²"),
+        ]
+    return {
+        "words": (
+            f"Pressures averaged over panels of {attrs['panel_length']:.3g} m by {attrs['strip_width']:.3g} m and over "
+            f"{1e3 * attrs['time_step']:.3g} ms, seed {attrs['seed']}; strips of the deck {attrs['strips']}."
+        ),
+        "numbers": rows,
+        "notes": quantities.warnings_of(slams),
+        "figures": [(name, CAPTIONS[name]) for name in OF_DECK_PRESSURE],
+    }

@@ -4,13 +4,24 @@ import csv
 import io
 import json
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import xarray as xr
 
-from workbench import animation, cache, files, pipeline, quantities, report, sea_energy, tables
+from workbench import (
+    animation,
+    cache,
+    files,
+    pipeline,
+    pressure_stage,
+    pressure_tables,
+    quantities,
+    report,
+    sea_energy,
+    tables,
+)
 from workbench.conventions import GRAVITY
 from workbench.design import Design
 from workbench.errors import InputError
@@ -24,6 +35,9 @@ from workbench.whole_files import written_whole
 
 USUAL_STEEPNESS = 1 / 25
 """Significant height of the usual sea, over the length of the ship [-]."""
+
+LONGEST_PRESSURES = 1.0
+"""Hours at most in which the pressure over the deck is computed [h]; an hour of slams takes some 12 s."""
 
 USUAL_WAVELENGTH = 1.5
 """Length of the wave of its peak period, over the length of the ship [-]."""
@@ -42,6 +56,8 @@ class Study:
     curve: xr.Dataset
     scene: xr.Dataset
     realisation: Realisation
+    deck_slams: xr.Dataset
+    hardest_slam: xr.Dataset | None
 
 
 def usual_sea(length: float, significant_wave_height: float | None, peak_period: float | None) -> SeaState:
@@ -64,11 +80,20 @@ def study(
     realisation: Realisation,
     settings: TheorySettings | None = None,
 ) -> Study:
-    """Compute a whole study; seconds for a known hull, half a minute for a new one."""
+    """Compute a whole study; some 15 s for a known hull, half a minute more for a new one.
+
+    The pressure over the deck is that of the first hour of the realisation.
+    """
     ship = pipeline.response(design, condition.speed, sea_energy.directions_for(condition), None, settings)
     relative = pipeline.deck_response(ship, design.wet_deck)
     slam = pipeline.slamming(ship, relative, design.wet_deck, condition, hours=realisation.hours)
     found, counts = pipeline.counted_slams(ship, relative, slam, realisation)
+    first = replace(realisation, hours=min(realisation.hours, LONGEST_PRESSURES))
+    beginning, whole = (
+        pressure_stage.RealisedDeck(ship, relative, slam, design.wet_deck, one)
+        for one in (first, realisation)
+    )
+    deck_slams = pressure_stage.slam_pressures(beginning)
     clearances = np.linspace(0.3, 2.2, 60) * max(slam.clearance, slam.least_clearance)
     return Study(
         ship=ship,
@@ -80,8 +105,10 @@ def study(
         curve=criteria.clearance_curve(
             slam.moments, slam.deck.height, slam.clearance, clearances, slam.threshold
         ),
-        scene=animation.animation_scene(ship, relative, slam, found, realisation),
+        scene=animation.animation_scene(ship, relative, slam, found, realisation, realised=whole),
         realisation=realisation,
+        deck_slams=deck_slams,
+        hardest_slam=pressure_stage.hardest_slam(beginning, deck_slams),
     )
 
 
@@ -101,7 +128,8 @@ def written_study(
     """Compute a study and write it to a folder; return its index page.
 
     Writes ``index.html``, ``results.nc``, ``motions.csv``, ``slamming.csv``,
-    ``slams.csv``, ``summary.json``, ``design.toml``, ``figures/*.png`` and ``*.svg``,
+    ``slams.csv``, ``deck-slams.csv``, ``deck-slams.nc``, ``hardest-slam.csv``, ``hardest-slam.nc`` (where the
+    deck slams), ``summary.json``, ``design.toml``, ``figures/*.png`` and ``*.svg``,
     ``animation.html`` and, if asked for, ``animation.mp4``. Each file is written under
     a temporary name and then renamed.
     """
@@ -120,6 +148,10 @@ def written_study(
     write(folder / "motions.csv", motions_csv(tables.motion_table(done.ship)))
     write(folder / "slamming.csv", _grid_csv(done))
     write(folder / "slams.csv", done.events.to_dataframe().to_csv(float_format="%.6g"))
+    for ending in pressure_tables.SUFFIXES:
+        pressure_tables.write_slams(done.deck_slams, folder / f"deck-slams{ending}")
+        if done.hardest_slam is not None:
+            pressure_tables.write_history(done.hardest_slam, folder / f"hardest-slam{ending}")
     files.save_design(design, folder / "design.toml")
     pictures = report.pictures(done)
     (folder / "figures").mkdir(exist_ok=True)

@@ -146,5 +146,5 @@ def open_page(server, browser):
 
 @pytest.fixture(scope="session")
 def new_page(open_page):
-    """A page shared by the tests that leave it usable."""
-    return open_page()
+    """A page shared by the tests that leave it usable; of few hours, so that its slams are soon computed."""
+    return open_page("?hours=0.2")

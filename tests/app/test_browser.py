@@ -156,6 +156,32 @@ def test_animation_plays(new_page):
     new_page.open_tab("Slamming")
 
 
+def test_deck_keeps_step_with_the_animation(new_page):
+    new_page.open_tab("3-D")
+    page = new_page.page
+    page.wait_for_function(
+        "window.__sv && [...document.querySelectorAll('.dk')].some(one => one.offsetParent && "
+        "Math.abs(window.__sv.time - Number(one.dataset.time)) < 0.5 && one.dataset.drawn > 2)",
+        timeout=30000,
+    )
+    new_page.open_tab("Slamming")
+
+
+def test_a_slam_is_looked_at(new_page):
+    new_page.open_tab("Pressure")
+    page = new_page.page
+    deck = page.locator(".dk:visible")
+    assert new_page.wait(lambda: "Hardest slam by pressure" in deck.locator("h2").inner_text(), 60)
+    deck.get_by_label("Slam shown").select_option("2")
+    assert new_page.wait(lambda: "Slam number 2 by pressure" in deck.locator("h2").inner_text(), 20)
+    deck.get_by_label("Time", exact=True).focus()
+    page.keyboard.press("End")
+    assert new_page.wait(lambda: "kPa" in deck.locator(".dk-status").inner_text())
+    deck.locator(".dk-plan").hover(position={"x": 300, "y": 60})
+    assert new_page.wait(lambda: "largest so far" in deck.locator(".dk-panel").inner_text())
+    assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
+
+
 def test_section_enters_the_water_by_every_theory(new_page):
     new_page.open_tab("Section")
     page = new_page.page

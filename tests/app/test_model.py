@@ -7,6 +7,7 @@ import pytest
 
 from workbench import radiation_store
 from workbench.app.control import slider_step
+from workbench.app.deck_pressure_inputs import DECK_PRESSURE_DEFAULTS
 from workbench.app.inputs import inputs_for
 from workbench.app.method_inputs import METHOD_DEFAULTS, SHORTEST_WAVE, panel_method_acts
 from workbench.app.model import LOADED, Model
@@ -23,6 +24,7 @@ from workbench.hydrodynamics.recommended import RecommendedSettings
 from workbench.hydrodynamics.settings import PotentialFlowSettings
 from workbench.hydrodynamics.strip_settings import StripSettings
 from workbench.running_state import RunningState
+from workbench.wet_deck_pressure.settings import ATMOSPHERE, DeckPressureSettings
 
 
 @pytest.fixture
@@ -161,6 +163,46 @@ def test_method_offers_what_there_is_and_outlasts_the_ship(model):
     model.choose("austal-63")
     assert model.inputs["interaction"] == "auto"
     assert {one.name for one in inputs_for(model.base) if one.group == "method"} == set(METHOD_DEFAULTS)
+
+
+def test_choices_of_the_pressure_over_the_deck_reach_the_case_and_go_round(model):
+    first = model.case()
+    assert first.deck_pressure == DeckPressureSettings()
+    changes = {
+        "deck_strips": "across",
+        "deck_model": "logvinovich",
+        "deck_suction": "atmosphere",
+        "deck_reduction": "pabst",
+        "averaging": "value",
+    }
+    for name, value in {**changes, "averaging_time": 4}.items():
+        model.change(name, value)
+    case = model.case()
+    assert case.deck_pressure == DeckPressureSettings(
+        direction="across", pressure="logvinovich", suction=ATMOSPHERE, reduction="pabst", time_step=0.004
+    )
+    assert case.deck_pressure_key != first.deck_pressure_key
+    assert case.scene_key != first.scene_key
+    assert (case.counting_key, case.slamming_key) == (first.counting_key, first.slamming_key)
+    other = Model()
+    assert other.restore(json.loads(json.dumps(model.state()))) == []
+    assert other.case() == case
+    model.change("averaging_time", 0.5)
+    assert model.case() is None
+    assert "2" in model.problems["averaging_time"]
+    model.choose("cofea")
+    assert not set(DECK_PRESSURE_DEFAULTS) & set(model.inputs)
+    assert model.case().deck_pressure == DeckPressureSettings()
+
+
+def test_pressures_are_computed_in_an_hour_at_most_and_follow_the_seed(model):
+    model.change("hours", 2.5)
+    case = model.case()
+    assert (case.realisation.hours, case.pressure_realisation.hours) == (2.5, 1.0)
+    model.change("hours", 2)
+    assert model.case().deck_pressure_key == case.deck_pressure_key
+    model.change("seed", 7)
+    assert model.case().deck_pressure_key != case.deck_pressure_key
 
 
 def test_panel_method_refines_where_it_is_recommended_and_only_when_asked(model):

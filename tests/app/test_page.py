@@ -10,11 +10,12 @@ import pytest
 import xarray as xr
 
 from workbench import potential_flow_stage, radiation_store
-from workbench.app import desk, main, server
+from workbench.app import case, desk, main, server, work
 from workbench.app.main import app
 from workbench.app.method_inputs import PANEL_METHOD_ACTS
 from workbench.app.panels.design import gap_rows
 from workbench.app.panels.motions import gap_frequencies, gap_frequency
+from workbench.app.panels.slam_view import slam_in_time
 from workbench.errors import InputError
 from workbench.hulls import library
 from workbench.hydrodynamics import strip_theory
@@ -27,7 +28,8 @@ from workbench.scene import stills
 
 @pytest.fixture(scope="module")
 def page():
-    desk.REST_DELAY = 0.1
+    desk.REST_DELAY, desk.PRESSURE_DELAY = 0.1, 0.1
+    case.LONGEST_PRESSURES = 0.05
     made = app().page
     assert made.desk.settle(120)
     assert made.desk.error == ""
@@ -96,6 +98,79 @@ def test_tabs(page, title):
     assert all(drawing.view.picture for drawing in panel.drawings)
     if title == "3-D":
         assert panel.sea_view.scene["count"] > 10
+        assert panel.deck_view.link == panel.sea_view.link != ""
+        assert panel.deck_view.facts["count"] == panel.sea_view.scene["count"]
+
+
+def test_slams_of_the_wet_deck_are_listed_and_looked_at(page):
+    panel = open_tab(page, "Pressure")
+    found, view = page.model.deck_slams, panel.cards[1].widget
+    slams = found.slams
+    assert found.realised.realisation.hours == 0.05
+    number = int(np.argmax(slams.slam_pressure.values))
+    assert view.facts["title"].startswith(
+        f"Hardest slam by pressure, {float(slams.slam_start[number]):.1f} s"
+    )
+    assert f"{float(slams.slam_start[number]):.1f}</td>" in panel.cards[4].widget.value
+    history = slam_in_time(found, number, False)
+    assert float(history.deck_pressure.max()) == pytest.approx(float(slams.slam_pressure[number]), rel=1e-5)
+    assert float(history.deck_force.max()) == pytest.approx(float(slams.slam_force[number]), rel=1e-5)
+    view.chosen = {**view.chosen, "rank": "2", "by": "slam_force", "steps": "fine"}
+    assert page.desk.settle(60)
+    second = int(np.argsort(-slams.slam_force.values)[1])
+    assert view.facts["title"].startswith(f"Slam number 2 by force, {float(slams.slam_start[second]):.1f} s")
+    assert view.facts["step"] < 0.5 * history.attrs["time_step"]
+    view.chosen = {"rank": "no such", "by": 3}
+    assert page.desk.settle(60)
+    assert view.facts["title"].startswith("Hardest slam by pressure")
+    assert "Germanischer Lloyd" in panel.cards[-1].widget.value
+    assert any("Each strip of the deck" in note for note in panel.cards[0].widget.notes)
+
+
+def test_choice_of_the_pressure_and_seed_are_computed_anew_and_old_ones_greyed(page):
+    panel = open_tab(page, "Pressure")
+    former, view = page.model.deck_slams, panel.cards[1].widget
+    page.model.change("deck_reduction", "pabst")
+    assert until(lambda: view.old and panel.cards[0].widget.old)
+    assert page.desk.settle(60)
+    reduced = page.model.deck_slams
+    assert not view.old
+    assert float(reduced.slams.slam_pressure.max()) < float(former.slams.slam_pressure.max())
+    page.model.change("deck_reduction", "none")
+    page.model.change("seed", 2)
+    assert page.desk.settle(60)
+    assert page.model.deck_slams.realised.realisation.seed == 2
+    assert page.model.counted.key == page.model.findings.case.counting_key
+    assert not any(drawing.view.old for drawing in panel.drawings)
+    page.model.change("seed", 1)
+
+
+def test_pressure_over_the_deck_is_stopped_and_taken_up_again(page, monkeypatch):
+    panel = open_tab(page, "Pressure")
+    ready = threading.Event()
+
+    def slow(*parts):
+        def task(progress):
+            while not ready.is_set():
+                progress(0.1, "slams of 1 h")
+                time.sleep(0.02)
+            return deck_slams(*parts)(progress)
+
+        return task
+
+    deck_slams = work.deck_slams
+    monkeypatch.setattr(work, "deck_slams", slow)
+    page.model.change("seed", 3)
+    assert until(lambda: "Pressure over the deck: slams of 1 h" in page.head.task)
+    page._head_said({"type": "stop"})
+    assert page.desk.settle(20)
+    assert "was not computed" in page.head.task
+    assert panel.cards[1].widget.old
+    ready.set()
+    page._head_said({"type": "resume"})
+    assert page.desk.settle(60)
+    assert not panel.cards[1].widget.old
+    page.model.change("seed", 1)
 
 
 def test_heading_that_is_not_computed_is_a_problem_and_greys(page):

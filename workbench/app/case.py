@@ -13,10 +13,13 @@ from workbench.impact.pressure import PressureLaw
 from workbench.running_state import RunningState
 from workbench.seas import Condition
 from workbench.time_domain import Realisation
+from workbench.wet_deck_pressure.settings import DeckPressureSettings
 
 LONGEST_COUNT = 3.0
 """Hours counted at most [h]; longer ones count for the extremes alone."""
 
+LONGEST_PRESSURES = 1.0
+"""Hours at most in which the pressure over the deck is computed [h]: an hour of slams takes some 12 s."""
 
 HEADING_STEP = math.radians(15.0)
 """Step of the usual headings [rad]."""
@@ -27,7 +30,8 @@ class Case:
     """Everything a result depends on.
 
     ``settings`` are those to begin with, ``refinement`` those that refine by the panel method (None where it
-    is not recommended), ``within`` the choices within every theory.
+    is not recommended), ``within`` the choices within every theory, ``deck_pressure`` those of the pressure over
+    the deck.
     """
 
     design: Design
@@ -40,6 +44,7 @@ class Case:
     settings: TheorySettings
     within: RecommendedSettings
     running_state: RunningState
+    deck_pressure: DeckPressureSettings
     refinement: RecommendedSettings | None = None
     is_refined: bool = False
 
@@ -47,6 +52,28 @@ class Case:
     def realisation(self) -> Realisation:
         """The realisation in which slams are counted."""
         return Realisation(seed=self.seed, hours=min(self.hours, LONGEST_COUNT))
+
+    @property
+    def pressure_realisation(self) -> Realisation:
+        """The beginning of that realisation in which the pressure over the deck is computed."""
+        return Realisation(seed=self.seed, hours=min(self.hours, LONGEST_PRESSURES))
+
+    @property
+    def deck_pressure_key(self) -> tuple:
+        """What the pressure over the deck depends on."""
+        real = self.pressure_realisation
+        return (
+            self.plan_key,
+            self.design.wet_deck,
+            self.condition,
+            (real.hours, real.seed),
+            self.deck_pressure,
+        )
+
+    @property
+    def scene_key(self) -> tuple:
+        """What the animation depends on."""
+        return self.counting_key, self.deck_pressure
 
     @property
     def response_key(self) -> tuple:

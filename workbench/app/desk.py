@@ -8,6 +8,7 @@ Where one heading is all that a sea needs, its motions come first and those of t
 pause; where the panel method is to refine, what was there before stays until it is ready.
 """
 
+import dataclasses
 import threading
 from collections.abc import Callable
 
@@ -22,9 +23,9 @@ from workbench.app.reading import control_named, in_words
 from workbench.errors import InputError
 from workbench.impact.entry_case import EntryCase
 
-HULL_DELAY, COUNT_DELAY, REST_DELAY = 0.35, 0.8, 1.5
-"""Pause after the last change before a new hull is solved, before slams are counted, and before the headings
-that the sea does not need [s]."""
+HULL_DELAY, COUNT_DELAY, PRESSURE_DELAY, REST_DELAY = 0.35, 0.8, 1.2, 1.5
+"""Pause after the last change before a new hull is solved, before slams are counted, before the pressure over the
+deck is computed, and before the headings that the sea does not need [s]."""
 
 MOST_ENTRIES = 8
 """Water entries by slow theories that are remembered."""
@@ -36,7 +37,8 @@ class Desk(traitlets.HasTraits):
     Attributes
     ----------
     hull_job : hydrodynamics and motions; rest_job : those of the other headings; count_job : counted slams and
-    the scene; compare_job : theories laid over each other; section_job : a water entry by a slow theory.
+    the scene; pressure_job : the pressure over the deck; compare_job : theories laid over each other;
+    section_job : a water entry by a slow theory.
     is_current : whether the findings belong to the present inputs.
     error : a sentence on what went wrong unexpectedly.
     """
@@ -49,7 +51,8 @@ class Desk(traitlets.HasTraits):
         self.model = model
         self.hull_job, self.rest_job, self.count_job = Job("hull"), Job("headings"), Job("count")
         self.compare_job, self.section_job = Job("theories"), Job("section")
-        self.needs_counts = self.needs_scene = False
+        self.pressure_job = Job("pressure")
+        self.needs_counts = self.needs_scene = self.needs_pressures = False
         self._show = show
         self._ship = None
         self._ship_key: tuple | None = None
@@ -65,7 +68,9 @@ class Desk(traitlets.HasTraits):
     @property
     def jobs(self) -> tuple[Job, ...]:
         """All jobs, the most urgent first."""
-        return self.hull_job, self.compare_job, self.section_job, self.count_job, self.rest_job
+        return (
+            self.hull_job, self.compare_job, self.section_job, self.count_job, self.pressure_job, self.rest_job,
+        )  # fmt: skip
 
     def post(self, *_: object) -> None:
         """Say that something changed; returns at once."""
@@ -87,7 +92,7 @@ class Desk(traitlets.HasTraits):
     def resume(self) -> None:
         """Start again what was stopped or has failed."""
         self._stopped = {}
-        self.hull_job.key = self.rest_job.key = None
+        self.hull_job.key = self.rest_job.key = self.pressure_job.key = None
         self.post()
 
     def settle(self, timeout: float = 60.0) -> bool:
@@ -177,6 +182,7 @@ class Desk(traitlets.HasTraits):
         self._show(is_newest)
         if is_newest() and answered.design.wet_deck is not None:
             self._send_for_counts(answered)
+            self._send_for_pressures(answered)
 
     def _answered(self, case: Case) -> Case | None:
         """Return the case that the present ship answers: this one, or the same before it is refined."""
@@ -191,8 +197,9 @@ class Desk(traitlets.HasTraits):
 
     def _drop_counts(self) -> None:
         """Stop counting for inputs that are no longer those of the page."""
-        self.count_job.cancel()
-        self.count_job.clear()
+        for job in (self.count_job, self.pressure_job):
+            job.cancel()
+            job.clear()
 
     def _has_failed(self, case: Case) -> bool:
         return self.hull_job.state == "failed" and self.hull_job.key == _key(case, case.lone_heading)
@@ -243,6 +250,8 @@ class Desk(traitlets.HasTraits):
         """Bring the closed-form statistics up to date; False where the inputs are refused."""
         found = self.model.findings
         if found is not None and found.ship is self._ship and found.case.slamming_key == case.slamming_key:
+            if found.case != case:
+                self.model.findings = dataclasses.replace(found, case=case)
             return True
         if case.design.wet_deck is not None and (self._ship, case.plan_key) != self._relative_of:
             self._relative = work.deck_response(self._ship, case)
@@ -260,16 +269,29 @@ class Desk(traitlets.HasTraits):
         return True
 
     def _send_for_counts(self, case: Case) -> None:
-        wants_scene = self.needs_scene and self.model.scene_key != case.counting_key
+        wants_scene = self.needs_scene and self.model.scene_key != case.scene_key
         has_counts = self.model.counted is not None and self.model.counted.key == case.counting_key
         if not wants_scene and (has_counts or not self.needs_counts):
             return
-        key = (case.counting_key, wants_scene)
+        key = (case.scene_key if wants_scene else case.counting_key, wants_scene)
         if key == self._stopped.get("count"):
             return
         self._stopped.pop("count", None)
         task = work.counts(self.model, self.model.findings, case, wants_scene, self.post)
         self.count_job.start(key, task, lambda _: self.post(), 0.0 if has_counts else COUNT_DELAY)
+
+    def _send_for_pressures(self, case: Case) -> None:
+        key, job = case.deck_pressure_key, self.pressure_job
+        has_them = self.model.deck_slams is not None and self.model.deck_slams.key == key
+        if job.state == "running" and job.key != key:
+            job.cancel()
+            job.clear()
+        has_failed = (job.state, job.key) == ("failed", key)
+        if has_them or has_failed or not self.needs_pressures or key == self._stopped.get("pressure"):
+            return
+        self._stopped.pop("pressure", None)
+        task = work.deck_slams(self.model, self.model.findings, case)
+        job.start(key, task, lambda _: self.post(), PRESSURE_DELAY)
 
 
 def _key(case: Case, lone_heading: float | None) -> tuple:

@@ -3,6 +3,7 @@
 from typing import Any
 
 from workbench.app.control import Input, number_input, rounded_to
+from workbench.app.deck_pressure_inputs import DECK_PRESSURE_DEFAULTS, deck_pressure_inputs
 from workbench.app.method_inputs import METHOD_DEFAULTS, method_inputs
 from workbench.app.running_inputs import RUNNING_DEFAULTS, running_inputs
 from workbench.app.ship_inputs import clearance_input, ship_inputs
@@ -23,6 +24,7 @@ GROUPS = (
     ("masses", "Masses", False),
     ("running", "Attitude at speed", False),
     ("sails", "Wind and sails", False),
+    ("pressure", "Pressure over the deck", False),
     ("method", "Method", False),
 )
 """Groups: key, heading, whether open at first."""
@@ -43,6 +45,7 @@ CONDITION_DEFAULTS: dict[str, Any] = {
     "seed": 1,
     **METHOD_DEFAULTS,
     **RUNNING_DEFAULTS,
+    **DECK_PRESSURE_DEFAULTS,
 }
 
 _LAW_WORDS = {
@@ -135,4 +138,5 @@ def inputs_for(design: Design) -> tuple[Input, ...]:
         Input(name="hours", label="Hours of exposure [h]", group="slams", phrases=("hours",), step=0.5),
         Input(name="seed", label="Seed of the realisation [-]", group="slams", phrases=("seed",), step=1),
     ]  # fmt: skip
-    return (*found, *ship_inputs(design), *running_inputs(design), *method_inputs(design))
+    others = (ship_inputs, running_inputs, deck_pressure_inputs, method_inputs)
+    return (*found, *(one for inputs in others for one in inputs(design)))

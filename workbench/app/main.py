@@ -11,6 +11,7 @@ from urllib.parse import parse_qsl, urlencode
 import ipywidgets as widgets
 
 from workbench import __version__
+from workbench.app.deck_pressure_inputs import DECK_PRESSURE_DEFAULTS
 from workbench.app.desk import Desk
 from workbench.app.form import Form
 from workbench.app.head import Head
@@ -44,8 +45,8 @@ LONGEST_IN_ADDRESS = 400
 """Length from which a text is left out of the address [characters]."""
 
 FIRST_TAB = 1
-ROOM_ABOVE = 215
-"""Height of what stands above and below the animation [px]."""
+ROOM_ABOVE = 475
+"""Height of what stands above the animation, and of the deck in plan below it [px]."""
 
 
 class Page:
@@ -121,7 +122,7 @@ class Page:
         elif kind == "hello":
             height = content.get("height")
             if isinstance(height, int | float):
-                self.panels[3].height = int(min(max(height - ROOM_ABOVE, 460), 900))
+                self.panels[3].height = int(min(max(height - ROOM_ABOVE, 420), 900))
             self._open_again(content.get("state"), content.get("query"))
 
     def _open_again(self, state: object, query: object) -> None:
@@ -145,6 +146,7 @@ class Page:
     def _tab_changed(self, *_: object) -> None:
         panel = self.panels[self.tabs.selected_index or 0]
         self.desk.needs_counts, self.desk.needs_scene = panel.needs_counts, panel.needs_scene
+        self.desk.needs_pressures = panel.needs_pressures
         self.desk.post()
 
     def _want_scene(self) -> None:
@@ -174,7 +176,7 @@ class Page:
         small = {name: inputs[name] for name in PERMALINK if name in inputs and inputs[name] != ""}
         small |= {
             name: inputs[name]
-            for name, usual in (METHOD_DEFAULTS | RUNNING_DEFAULTS).items()
+            for name, usual in (METHOD_DEFAULTS | RUNNING_DEFAULTS | DECK_PRESSURE_DEFAULTS).items()
             if name in inputs and inputs[name] != usual
         }
         small |= {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import traitlets
 import xarray as xr
 
 from workbench.app.case import Case
+from workbench.app.deck_pressure_inputs import DECK_PRESSURE_DEFAULTS
 from workbench.app.inputs import CONDITION_DEFAULTS, inputs_for
 from workbench.app.method_inputs import METHOD_DEFAULTS
 from workbench.app.reading import (
@@ -38,6 +39,7 @@ from workbench.verdict import verdict
 
 if TYPE_CHECKING:
     from workbench.pipeline import Response, Slamming
+    from workbench.pressure_stage import RealisedDeck
 
 FIRST_DESIGN = "austal-63"
 LOADED = "loaded"
@@ -69,6 +71,17 @@ class Counted:
 
 
 @dataclass(frozen=True, eq=False)
+class DeckSlams:
+    """Pressure over the deck in every slam of a realisation; ``histories`` are those that were looked at."""
+
+    key: tuple
+    findings: Findings
+    realised: RealisedDeck
+    slams: xr.Dataset
+    histories: dict[tuple, xr.Dataset] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False)
 class Compared:
     """Theories laid over each other, and what they were computed for."""
 
@@ -90,7 +103,7 @@ class Model(traitlets.HasTraits):
     refined : inputs for which the reader asked for the panel method, newest last.
     section_inputs : those of the section that enters the water; solved_entries : its entries by theories that
     take long, by case and theory, or a sentence why one is refused.
-    findings, counted, scene, compared : the newest results, which may be out of date.
+    findings, counted, deck_slams, scene, compared : the newest results, which may be out of date.
     """
 
     design_name = traitlets.Unicode(FIRST_DESIGN)
@@ -100,6 +113,7 @@ class Model(traitlets.HasTraits):
     notice = traitlets.Unicode("")
     findings = traitlets.Instance(Findings, allow_none=True)
     counted = traitlets.Instance(Counted, allow_none=True)
+    deck_slams = traitlets.Instance(DeckSlams, allow_none=True)
     compared = traitlets.Instance(Compared, allow_none=True)
     refined = traitlets.Tuple()
     section_inputs = traitlets.Dict(dict(SECTION_DEFAULTS))
@@ -128,7 +142,7 @@ class Model(traitlets.HasTraits):
         notice = ""
         ratio = design.hull.length / former.hull.length if former else 0.0
         if not 1 / ALIKE < ratio < ALIKE:
-            lasting = {"criterion", "law", "hours", "seed", *METHOD_DEFAULTS}
+            lasting = {"criterion", "law", "hours", "seed", *METHOD_DEFAULTS, *DECK_PRESSURE_DEFAULTS}
             inputs = usual_inputs(design) | {key: inputs[key] for key in inputs if key in lasting}
             if former:
                 notice = f"Speed and sea were set to suit a ship of {design.hull.length:.3g} m."

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from workbench.app.deck_pressure_inputs import deck_pressure_notes
 from workbench.app.method_inputs import method_notes
 from workbench.app.running_inputs import running_notes
 from workbench.conventions import KNOT, froude_number
@@ -25,5 +26,6 @@ def notes_under(inputs: Mapping[str, Any], design: Design) -> dict[str, str]:
     except (InputError, TypeError, ValueError):
         pass
     if design.wet_deck is not None:
+        notes |= deck_pressure_notes()
         notes["sinkage"] = "The clearance of the wet deck is from still water and stays as given."
     return notes

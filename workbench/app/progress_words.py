@@ -15,6 +15,7 @@ _WORDS = {
     "theories": "Comparing theories",
     "section": "Marching the water entry",
     "count": "Counting slams",
+    "pressure": "Pressure over the deck",
     "headings": "Solving the other headings",
 }
 _STOPPED = {
@@ -22,6 +23,7 @@ _STOPPED = {
     "theories": "",
     "section": "",
     "count": "Stopped. The slams were not counted for these inputs.",
+    "pressure": "Stopped. The pressure over the deck was not computed for these inputs.",
     "headings": "Stopped. The other headings were not solved.",
 }
 

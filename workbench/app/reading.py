@@ -7,6 +7,7 @@ from typing import Any
 
 from workbench.app.case import LONGEST_COUNT, Case
 from workbench.app.control import rounded_to
+from workbench.app.deck_pressure_inputs import deck_pressure_settings
 from workbench.app.inputs import CONDITION_DEFAULTS, OWN_SEA, inputs_for
 from workbench.app.method_inputs import choices_of
 from workbench.app.running_inputs import running_state_of
@@ -30,6 +31,7 @@ _GROUP_OF_PART = {
     "slams": "slams",
     "method": "method",
     "running": "running",
+    "pressure": "pressure",
 }
 
 
@@ -77,6 +79,7 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
     slams = part("slams", lambda: _slam_choices(inputs, number))
     choices = condition and part("method", lambda: choices_of(inputs, number, base.hull, condition.speed))
     running = part("running", lambda: running_state_of(inputs, number, base))
+    pressure = part("pressure", lambda: deck_pressure_settings(inputs, number))
     design = None
     if not refused:
         design = part(
@@ -86,7 +89,8 @@ def case_of(base: Design, inputs: dict[str, Any]) -> Case:
         raise Problems(refused)
     return Case(
         design=design, condition=condition, settings=choices.first, refinement=choices.refinement,
-        within=choices.within, running_state=running, **slams,
+        within=choices.within, running_state=running, deck_pressure=pressure,
+        **slams,
     )  # fmt: skip
 
 

@@ -1,18 +1,25 @@
 """The work of a page: what the desk has done, here or in a job. Imports what is heavy only when it is done."""
 
+from __future__ import annotations
+
 import time
 from collections.abc import Callable
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 
 from workbench.app.case import Case
 from workbench.app.job import Progress, Work
-from workbench.app.model import Counted, Findings, Model
+from workbench.app.model import Counted, DeckSlams, Findings, Model
 from workbench.errors import InputError
 from workbench.impact.entry_case import EntryCase
+from workbench.time_domain import Realisation
+
+if TYPE_CHECKING:
+    from workbench.pressure_stage import RealisedDeck
 
 WORKERS = 2
 CURVE_POINTS = 81
@@ -135,9 +142,34 @@ def counts(model: Model, found: Findings, case: Case, wants_scene: bool, post: C
             from workbench.animation import animation_scene
 
             progress(0.8, "Building the animation")
-            scene = animation_scene(found.ship, found.relative, found.slam, model.counted.events, realisation)
+            scene = animation_scene(
+                found.ship, found.relative, found.slam, model.counted.events, realisation,
+                realised=_realised_deck(found, case, realisation),
+            )  # fmt: skip
             progress(1.0, "built")
-            model.scene_key = case.counting_key
+            model.scene_key = case.scene_key
             model.scene = scene
 
     return task
+
+
+def deck_slams(model: Model, found: Findings, case: Case) -> Work:
+    """Work that computes the pressure over the deck in every slam of a realisation, for the model."""
+
+    def task(progress: Progress) -> None:
+        from workbench.pressure_stage import slam_pressures
+
+        realised = _realised_deck(found, case, case.pressure_realisation)
+        hours = case.pressure_realisation.hours
+        slams = slam_pressures(realised, lambda done, _: progress(done, f"slams of {hours:g} h"))
+        model.deck_slams = DeckSlams(case.deck_pressure_key, found, realised, slams)
+
+    return task
+
+
+def _realised_deck(found: Findings, case: Case, realisation: Realisation) -> RealisedDeck:
+    """Water against the deck of a case in a realisation of its sea."""
+    from workbench.pressure_stage import RealisedDeck
+
+    deck, settings = case.design.wet_deck, case.deck_pressure
+    return RealisedDeck(found.ship, found.relative, found.slam, deck, realisation, settings)

@@ -31,6 +31,9 @@ COMPONENTS = (
 )
 """The wave components of a linear sea, each (component)."""
 
+HISTORIES = ("deck_force", "deck_force_x", "deck_force_y", "wetted_area")
+"""Force on the wet deck and its wetted area, each (time)."""
+
 EVENTS = ("event_time", "event_x", "event_y", "entry_velocity", "peak_pressure")
 """The slams, each (event)."""
 
@@ -46,13 +49,14 @@ _DIMS = {
     "y": ("y",),
     "deck_height": ("x", "y"),
     **{name: ("time", "x", "y") for name in DECK_FIELDS},
+    **{name: ("time",) for name in HISTORIES},
     **{name: ("component",) for name in COMPONENTS},
     **{name: ("event",) for name in EVENTS},
 }
 _COORDINATES = ("time", "sea_x", "sea_y", "x", "y")
 _REQUIRED = ("time", "pose", "hull_vertices", "hull_faces", "x", "y", "deck_height")
 _FIXED_SIZES = {"dof": 6, "axis": 3, "corner": 4}
-_MAY_HAVE_GAPS = ("elevation", *DECK_FIELDS)
+_MAY_HAVE_GAPS = ("elevation", *DECK_FIELDS, "deck_force_x", "deck_force_y")
 
 
 def scene_description(
@@ -66,6 +70,7 @@ def scene_description(
     deck_height,
     water: Mapping,
     fields: Mapping | None = None,
+    histories: Mapping | None = None,
     slams: Mapping | None = None,
     title: str = "",
     speed: float = 0.0,
@@ -87,6 +92,8 @@ def scene_description(
         The elevation may be NaN inside the hulls: it is drawn there as still water.
     fields : any of ``relative_motion_history`` [m], ``clearance_left`` [m] and ``pressure`` [Pa],
         each (n_t, n_x, n_y); NaN where there is no value.
+    histories : ``deck_force`` [N], ``deck_force_x``, ``deck_force_y`` [m] and ``wetted_area`` [m2], each (n_t,);
+        NaN where the force has no place.
     slams : ``event_time`` [s], ``event_x``, ``event_y`` [m], ``entry_velocity`` [m/s] and
         ``peak_pressure`` [Pa], each (n_events,).
     title : words above the picture.
@@ -108,6 +115,7 @@ def scene_description(
     for part, allowed in (
         (water, (*COMPONENTS, "sea_x", "sea_y", "elevation")),
         (fields or {}, DECK_FIELDS),
+        (histories or {}, HISTORIES),
         (slams or {}, EVENTS),
     ):
         unknown = [str(name) for name in part if name not in allowed]
@@ -139,6 +147,7 @@ def checked_scene(scene: xr.Dataset) -> xr.Dataset:
     scene = scene.assign({name: scene[name].transpose(*_DIMS[name]) for name in known})
     _check_water(scene)
     _check_complete(scene, EVENTS, "slams")
+    _check_complete(scene, HISTORIES, "force on the deck")
     for name in known:
         if name not in _MAY_HAVE_GAPS and not np.isfinite(scene[name].values).all():
             raise InputError(f"The scene's {name} holds values that are not finite; leave those points out.")

@@ -104,7 +104,7 @@ def deck_field(field: xr.DataArray) -> dict:
         step = _round_step(max(-least, most, 1e-9) / (BANDS // 2))
         low = -step * (BANDS // 2)
     elif name == "pressure":
-        step, low = _round_step(max(most, 1e-9) / BANDS), 0.0
+        step, low = _round_step((most if most > 0 else 1.0) / BANDS), 0.0
     else:
         step = _round_step(max(most - least, 1e-9) / BANDS)
         low = np.floor(least / step) * step

@@ -27,6 +27,7 @@ class SeaView(anywidget.AnyWidget):
     field : field of the deck that is drawn; may be set.
     camera : one of `CAMERAS`; may be set, empty after the reader has turned the view.
     height : height of the view [px].
+    link : name that views of the same film share, which then keep the same time in the browser; empty for none.
     status : ``'ready'``, ``'ready-software'`` (drawn without a graphics card, slower) or
         ``'nowebgl'`` (the browser cannot draw it: offer a film), empty until the page has answered.
     """
@@ -52,6 +53,7 @@ class SeaView(anywidget.AnyWidget):
     field = traitlets.Unicode("").tag(sync=True)
     camera = traitlets.Unicode("quarter").tag(sync=True)
     height = traitlets.Int(500, min=320).tag(sync=True)
+    link = traitlets.Unicode("").tag(sync=True)
     status = traitlets.Unicode("").tag(sync=True)
 
     def show(self, scene: xr.Dataset) -> None:

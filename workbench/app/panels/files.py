@@ -161,7 +161,7 @@ class FilesPanel(Panel):
     def _with_scene(self):
         """Return the findings if there is an animation that fits them, or a sentence why there is none."""
         found, reason = self._with_deck()
-        if found and (self.model.scene is None or self.model.scene_key != found.case.counting_key):
+        if found and (self.model.scene is None or self.model.scene_key != found.case.scene_key):
             self.wants_scene()
             return None, "The animation is being built for this; press again in some seconds."
         return found, reason

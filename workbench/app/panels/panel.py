@@ -35,6 +35,7 @@ class Panel:
     title = ""
     needs_counts = False
     needs_scene = False
+    needs_pressures = False
 
     def __init__(self, model: Model, post: Callable[[], None]) -> None:
         self.model, self.post = model, post

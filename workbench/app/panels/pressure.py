@@ -4,7 +4,10 @@ import numpy as np
 import xarray as xr
 
 from workbench import quantities
+from workbench.app.model import DeckSlams
+from workbench.app.panels.deck_slams import CARDS
 from workbench.app.panels.panel import Drawing, card, grid, table
+from workbench.app.panels.pressure_beside import FURTHER_CARDS
 from workbench.app.panels.slamming import SlammingPanel
 from workbench.app.theory_in_use import relevant
 from workbench.figures.deck_plan import deck_plan_figure
@@ -52,20 +55,21 @@ def _hardest(events: xr.Dataset, group: np.ndarray) -> xr.Dataset:
 
 
 class PressurePanel(SlammingPanel):
-    """Peak pressures, expected and counted."""
+    """Pressures over the deck: expected, by the wet-deck theory in every slam, and by the law of each entry."""
 
     title = "Pressure"
     needs_counts = True
+    needs_pressures = True
 
     def build(self):
         """Make the figures."""
         ranks = [["0", "the hardest slam"], *[[str(n), f"slam number {n + 1}"] for n in range(1, RANKS)]]
         self.expected = self.view("Largest peak pressure to expect", "expected-pressure", wide=True)
         self.event = self.view(
-            "One slam that was counted", "slam-pressure", wide=True, choices=[["rank", "Slam shown", ranks]],
+            "One slam by the law of peak pressure", "slam-pressure", wide=True, choices=[["rank", "Slam shown", ranks]],
             chosen={"rank": "0"},
         )  # fmt: skip
-        self.histogram = self.view("All entries that were counted", "pressure-histogram")
+        self.histogram = self.view("Peak pressures of all entries", "pressure-histogram")
         self.drawings = [
             Drawing(
                 self.expected,
@@ -80,12 +84,22 @@ class PressurePanel(SlammingPanel):
             Drawing(self.histogram, self._counted_key, self._histogram_figure, self._histogram_words),
         ]
         self.hardest = card()
-        return [grid(self.expected, self.histogram, self.event, self.hardest)]
+        self.cards = [make(self) for make in (*CARDS, *FURTHER_CARDS)]
+        self.drawings += [drawing for one in self.cards for drawing in one.drawings]
+        computed = [one.widget for one in self.cards]
+        return [grid(self.expected, *computed, self.histogram, self.hardest, self.event)]
+
+    def deck_slams(self) -> DeckSlams | None:
+        """Return the slams by the wet-deck theory that belong to the present findings."""
+        slams, found = self.model.deck_slams, self.model.findings
+        return slams if slams and found and slams.key == found.case.deck_pressure_key else None
 
     def refresh(self, is_current: bool) -> None:
-        """Fill the table of the hardest slams."""
+        """Show the chosen slam and fill the tables of the hardest ones."""
         if not hasattr(self, "hardest"):
             return
+        for one in self.cards:
+            one.refresh(is_current)
         counted = self._counted() if is_current else None
         (self.hardest.remove_class if counted else self.hardest.add_class)("wb-is-old")
         if counted is None or counted is getattr(self, "_listed", None):
@@ -102,7 +116,8 @@ class PressurePanel(SlammingPanel):
                 )
             )  # fmt: skip
         self.hardest.value = table(
-            "The hardest slams", ("", "time", "x", "velocity", "angle", "peak pressure"), rows,
+            "The hardest entries by the law of peak pressure",
+            ("", "time", "x", "velocity", "angle", "peak pressure"), rows,
             "Velocity and angle at the entry with the largest pressure of each slam; entries less than "
             "a quarter of the "
             "peak period apart are one slam.",

@@ -10,6 +10,7 @@ const SYNC_INTERVAL = 500; // [ms] between reports of the time
 const TEXT_INTERVAL = 100; // [ms] between changes of the numbers
 const SETTLE = 250; // [ms] of standing still before the picture is sharpened
 const SLAM_SHOWN = 1.0; // [s]
+const LINKED = "wet-deck-time"; // event by which views of the same film tell each other the time
 const NO_WEBGL = "This browser cannot draw the 3-D view because WebGL is switched off; switch hardware acceleration on, "
   + "or ask for the film of this scene instead. The curves, the time and the pressure below are still shown.";
 
@@ -56,6 +57,23 @@ export function createView(host, source, { height }) {
     stale = true;
     if (report && !playing) reportTime(performance.now(), true);
   }
+
+  // Views that share the name of this film follow its time, and may lead it, without asking the kernel.
+  const shared = {};
+  function tell() {
+    const link = source.get("link");
+    if (!link || (shared.time === time && shared.playing === playing)) return;
+    Object.assign(shared, { time, playing });
+    window.dispatchEvent(new CustomEvent(LINKED, { detail: { link, from: "film", time, playing } }));
+  }
+  function heard({ detail }) {
+    if (!scene || !detail.link || detail.link !== source.get("link") || detail.from === "film") return;
+    if (detail.asks) shared.time = undefined;
+    if (typeof detail.time === "number") seek(detail.time);
+    if (typeof detail.playing === "boolean") setPlaying(detail.playing);
+    tell();
+  }
+  window.addEventListener(LINKED, heard);
 
   let late = 0;
   function reportTime(now, soon = false) {
@@ -183,6 +201,7 @@ export function createView(host, source, { height }) {
     stage?.draw(time);
     strip.setTime(time);
     words(now);
+    tell();
     const ms = performance.now() - begun;
     probe.frames += 1;
     probe.ms = probe.frames === 1 ? ms : 0.9 * probe.ms + 0.1 * ms;
@@ -272,6 +291,7 @@ export function createView(host, source, { height }) {
   return () => {
     cancelAnimationFrame(frame);
     clearTimeout(late);
+    window.removeEventListener(LINKED, heard);
     sizes.disconnect();
     sight.disconnect();
     stage?.dispose();
