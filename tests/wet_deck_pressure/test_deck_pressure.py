@@ -100,6 +100,26 @@ def test_a_pod_cut_across_is_wagners_wedge(degrees):
     )
 
 
+def test_two_parts_that_close_upon_each_other_give_no_spike():
+    """The jump of the impulse at the closing would be a pressure as high as the step is short."""
+    wet_deck, grid = flat_deck()
+    place, wavelength = 2 * np.pi / 12.0, 12.0
+
+    def rise(t, x, y):
+        return (
+            2.0 * (t - 0.1) - 0.15 + 0.15 * np.cos(place * (np.abs(x) - wavelength / 2)) - 0.01 * x**2 + 0 * y
+        )
+
+    motion, strips = moved(
+        rise, lambda t, x, y: 2.0 + 0 * (t + x + y), lambda t, x, y: 0 * (t + x + y), wet_deck, grid, 0.5
+    )
+    peaks = []
+    for step in (0.01, 0.0025, 0.000625):
+        found = history(motion, strips, RHO, DeckPressureSettings(time_step=step), 0.05, 0.45)
+        peaks.append(float(found.deck_force.max()))
+    assert peaks[2] < 1.6 * peaks[1] < 2.6 * peaks[0]
+
+
 def test_water_over_the_fore_end_pushes_with_the_growth_of_its_length():
     """L = 4 V t/(3 g): F = rho pi/4 V L L' a strip."""
     gradient = 0.1

@@ -59,8 +59,9 @@ def pressure_steps(
     profiles = _profiles(motion, strips, fields, chosen)
     intervals = wetted_intervals(profiles)
     flow = panel_flow(profiles, intervals, strips.edges, settings.pressure == "logvinovich")
-    in_water = np.zeros(count * shape[0], bool)
-    in_water[chosen[intervals.row]] = True
+    parts = np.zeros(count * shape[0], int)
+    np.add.at(parts, chosen[intervals.row], 1)
+    parts = parts.reshape(count, -1)
 
     def spread_out(values: np.ndarray, dry: float = 0.0) -> np.ndarray:
         full = np.full((count * shape[0], *values.shape[1:]), dry, values.dtype)
@@ -71,13 +72,13 @@ def pressure_steps(
         spread_out(values)
         for values in (flow.potential_impulse, flow.pressure, flow.drift + flow.edges, flow.taken)
     )
-    spreading, is_wet = spread_out(flow.is_spreading, True), in_water.reshape(count, -1)
+    spreading, is_wet = spread_out(flow.is_spreading, True), parts > 0
     if settings.reduction == "pabst":
         share = spread_out(_finite_width(profiles, intervals, strips), 1.0)[..., None]
         impulse, pressure, drift, taken = (share * part for part in (impulse, pressure, drift, taken))
     step = np.where(np.diff(times) > 0, np.diff(times), np.inf)[:, None, None]
     by_impulse = np.diff(impulse, axis=0) / step + (drift[1:] + drift[:-1]) / 2
-    grows = spreading[1:] & spreading[:-1] & is_wet[1:]
+    grows = spreading[1:] & spreading[:-1] & is_wet[1:] & (parts[1:] >= parts[:-1])
     mean = np.where(grows[..., None], by_impulse, (pressure[1:] + pressure[:-1]) / 2)
     mean -= (taken[1:] + taken[:-1]) / 2
     mean[np.isinf(step[:, 0, 0])] = 0.0
