@@ -66,9 +66,11 @@ def test_first_steps():
     assert variants[0] == found["slams_per_hour"]
     assert all(rate < variants[0] for rate in variants[1:])
     assert found["frames"] > 100
+    assert 5 < found["deck_slams"] < 40
+    assert 2e5 < found["largest_panel_pressure"] < found["largest_pressure"]
     kinds = [kind for output in outputs(notebook) for kind in output.get("data", {})]
-    assert kinds.count("image/png") == 6
-    assert "application/vnd.jupyter.widget-view+json" in kinds
+    assert kinds.count("image/png") == 7
+    assert kinds.count("application/vnd.jupyter.widget-view+json") == 2
 
 
 @pytest.mark.slow
