@@ -13,6 +13,7 @@ from workbench import potential_flow_stage, radiation_store
 from workbench.app import case, desk, main, server, work
 from workbench.app.main import app
 from workbench.app.method_inputs import PANEL_METHOD_ACTS
+from workbench.app.panels.deck_slams import what_it_is
 from workbench.app.panels.design import gap_rows
 from workbench.app.panels.motions import gap_frequencies, gap_frequency
 from workbench.app.panels.slam_view import slam_in_time
@@ -143,6 +144,25 @@ def test_choice_of_the_pressure_and_seed_are_computed_anew_and_old_ones_greyed(p
     assert page.model.counted.key == page.model.findings.case.counting_key
     assert not any(drawing.view.old for drawing in panel.drawings)
     page.model.change("seed", 1)
+
+
+def test_slams_of_a_first_part_are_shown_while_the_rest_is_computed(page, monkeypatch):
+    panel = open_tab(page, "Pressure")
+    monkeypatch.setattr(work, "FIRST_PRESSURES", 0.02)
+    seen = []
+    page.model.observe(lambda change: seen.append(change.new), names=["deck_slams"])
+    page.model.change("seed", 5)
+    assert page.desk.settle(60)
+    first, whole = seen
+    assert (first.is_whole, whole.is_whole) == (False, True)
+    assert (first.realised.realisation.hours, whole.realised.realisation.hours) == (0.02, 0.05)
+    count = first.slams.sizes["slam"]
+    np.testing.assert_allclose(whole.slams.slam_start[: count - 1], first.slams.slam_start[: count - 1])
+    assert "More of the record" in what_it_is(first)
+    assert "More of the record" not in " ".join(panel.cards[0].widget.notes)
+    page.model.unobserve_all("deck_slams")
+    page.model.change("seed", 1)
+    assert page.desk.settle(60)
 
 
 def test_pressure_over_the_deck_is_stopped_and_taken_up_again(page, monkeypatch):

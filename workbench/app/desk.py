@@ -282,7 +282,8 @@ class Desk(traitlets.HasTraits):
 
     def _send_for_pressures(self, case: Case) -> None:
         key, job = case.deck_pressure_key, self.pressure_job
-        has_them = self.model.deck_slams is not None and self.model.deck_slams.key == key
+        known = self.model.deck_slams
+        has_them = known is not None and known.key == key and known.is_whole
         if job.state == "running" and job.key != key:
             job.cancel()
             job.clear()
@@ -290,7 +291,7 @@ class Desk(traitlets.HasTraits):
         if has_them or has_failed or not self.needs_pressures or key == self._stopped.get("pressure"):
             return
         self._stopped.pop("pressure", None)
-        task = work.deck_slams(self.model, self.model.findings, case)
+        task = work.deck_slams(self.model, self.model.findings, case, self.post)
         job.start(key, task, lambda _: self.post(), PRESSURE_DELAY)
 
 

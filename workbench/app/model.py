@@ -72,12 +72,17 @@ class Counted:
 
 @dataclass(frozen=True, eq=False)
 class DeckSlams:
-    """Pressure over the deck in every slam of a realisation; ``histories`` are those that were looked at."""
+    """Pressure over the deck in every slam of a realisation.
+
+    ``is_whole`` is no while only the beginning of the record was computed; ``histories`` are those that were
+    looked at.
+    """
 
     key: tuple
     findings: Findings
     realised: RealisedDeck
     slams: xr.Dataset
+    is_whole: bool = True
     histories: dict[tuple, xr.Dataset] = field(default_factory=dict)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import time
 from collections.abc import Callable
 from multiprocessing import get_context
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from workbench.pressure_stage import RealisedDeck
 
 WORKERS = 2
+FIRST_PRESSURES = 0.2
+"""Hours of slams over the deck that are shown while the rest is computed [h]."""
 CURVE_POINTS = 81
 POLL = 0.1
 """Pause between two looks at a process [s]."""
@@ -153,16 +156,29 @@ def counts(model: Model, found: Findings, case: Case, wants_scene: bool, post: C
     return task
 
 
-def deck_slams(model: Model, found: Findings, case: Case) -> Work:
-    """Work that computes the pressure over the deck in every slam of a realisation, for the model."""
+def deck_slams(model: Model, found: Findings, case: Case, post: Callable[[], None]) -> Work:
+    """Work that gives the model the pressure over the deck in every slam: of a first part early, then of all."""
 
     def task(progress: Progress) -> None:
         from workbench.pressure_stage import slam_pressures
 
-        realised = _realised_deck(found, case, case.pressure_realisation)
-        hours = case.pressure_realisation.hours
-        slams = slam_pressures(realised, lambda done, _: progress(done, f"slams of {hours:g} h"))
-        model.deck_slams = DeckSlams(case.deck_pressure_key, found, realised, slams)
+        whole = case.pressure_realisation
+        first = dataclasses.replace(whole, hours=min(whole.hours, FIRST_PRESSURES))
+        ahead = first.hours < whole.hours / 2
+        done = 0.0
+        for realisation in (first, whole) if ahead else (whole,):
+            share = realisation.hours / (whole.hours + first.hours if ahead else whole.hours)
+            realised = _realised_deck(found, case, realisation)
+            slams = slam_pressures(
+                realised,
+                lambda part, _, at=done, share=share: progress(
+                    at + share * part, f"slams of {whole.hours:g} h"
+                ),
+            )
+            is_whole = realisation == whole
+            model.deck_slams = DeckSlams(case.deck_pressure_key, found, realised, slams, is_whole)
+            done += share
+            post()
 
     return task
 

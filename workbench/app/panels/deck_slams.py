@@ -178,6 +178,7 @@ def what_it_is(found: DeckSlams) -> str:
         f"{slams.sizes['slam']} slams in {real.hours:g} h of seed {int(real.seed)}, averaged over panels of "
         f"{attrs['panel_length']:.3g} m by {attrs['strip_width']:.3g} m and over {1e3 * attrs['time_step']:.3g} ms; "
         f"strips {'lengthwise' if attrs['strips'] == 'lengthwise' else 'across'}."
+        f"{'' if found.is_whole else ' More of the record is being computed.'}"
     )
 
 
