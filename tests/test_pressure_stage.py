@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from tests.test_cli import run
 from workbench import animation, pipeline, pressure_stage, pressure_tables
 from workbench.cache import load_dataset
-from workbench.cli import main
 from workbench.errors import InputError
 from workbench.hulls import library
 from workbench.seas import Condition, SeaState
@@ -130,22 +130,6 @@ def test_a_deck_that_never_slams(ship):
     slams = pressure_stage.slam_pressures(deck)
     assert slams.sizes["slam"] == 0
     assert pressure_stage.hardest_slam(deck, slams) is None
-
-
-def run(capsys, *arguments):
-    import sys
-
-    capsys.readouterr()
-    before, sys.argv = sys.argv, ["workbench", *map(str, arguments)]
-    try:
-        main()
-        code = 0
-    except SystemExit as end:
-        code = end.code or 0
-    finally:
-        sys.argv = before
-    out, err = capsys.readouterr()
-    return code, out, err
 
 
 def test_command_gives_envelope_extremes_and_force_history(capsys, tmp_path):

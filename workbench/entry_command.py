@@ -14,13 +14,12 @@ from workbench.command_inputs import JsonOption
 from workbench.conventions import SEAWATER_DENSITY
 from workbench.errors import InputError, checked_number
 from workbench.impact import entry as water_entry
+from workbench.impact.entry_case import usual_penetration
 from workbench.impact.nonlinear_start import first_penetration
 from workbench.impact.section import Circle, Parabola, Section, TableSection, Wedge
 from workbench.quantities import warnings_of
 
 MOST_INSTANTS = 1000
-SHALLOW = 0.05
-"""Penetration over the radius of a parabola or circle where none is given."""
 
 
 def section_of(name: str, deadrise: float | None, radius: float | None) -> Section:
@@ -70,14 +69,6 @@ def _is_head(rows: list[list[str]]) -> bool:
     except (ValueError, IndexError):
         return bool(rows)
     return False
-
-
-def _penetration(section: Section) -> float:
-    if isinstance(section, Wedge):
-        return 1.0
-    if isinstance(section, TableSection):
-        return section.mean_height(section.reach) / 2
-    return SHALLOW * section.radius
 
 
 def entry_values(found: xr.Dataset, section: Section, density: float, index: int = -1) -> dict[str, Any]:
@@ -158,7 +149,8 @@ def entry(
     checked_number("downward entry velocity", velocity, "m/s", above=0, cure="the section enters the water")
     if penetration is not None:
         checked_number("penetration", penetration, "m", above=0)
-    depth = _penetration(shape) if penetration is None else penetration
+    usual = 1.0 if isinstance(shape, Wedge) else usual_penetration(shape)
+    depth = usual if penetration is None else penetration
     checked_number("number of instants of the history", history, at_least=0, at_most=MOST_INSTANTS)
     times = _instants(shape, method, depth, history) / velocity
     found = water_entry.entry(shape, velocity, method, density, times)
