@@ -1,4 +1,4 @@
-"""A Voila server for the session, a browser, and a page as a new reader sees it."""
+"""A Voila server, a browser, and a page as a new reader sees it; closed with their module: pages go on playing."""
 
 import contextlib
 import os
@@ -80,7 +80,7 @@ class Watched:
         return False
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def server(tmp_path_factory):
     from workbench.app import server as settings
 
@@ -106,7 +106,7 @@ def server(tmp_path_factory):
             process.wait(5)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser(playwright_driver):
     if not CHROMIUM.exists():
         pytest.skip("needs Debian's chromium")
@@ -115,7 +115,7 @@ def browser(playwright_driver):
     opened.close()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def open_page(server, browser):
     def opened(query="", context=None):
         size = {"width": 1280, "height": 800}
@@ -144,7 +144,7 @@ def open_page(server, browser):
     return opened
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def new_page(open_page):
     """A page shared by the tests that leave it usable; of few hours, so that its slams are soon computed."""
     return open_page("?hours=0.2")
