@@ -97,7 +97,7 @@ def test_verification(request):
     assert theories["high-speed Fn 0.3"] == pytest.approx(0.057, abs=0.015)
     assert theories["strip Fn 0.3"] == pytest.approx(0.13, abs=0.02)
     assert theories["potential-flow Fn 0.3"] == pytest.approx(0.127, abs=0.02)
-    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 6
+    assert sum("image/png" in output.get("data", {}) for output in outputs(notebook)) == 7
 
 
 @pytest.mark.slow
