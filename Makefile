@@ -2,9 +2,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-# Small matrices stall on more threads; the panel method of the app and the benchmarks gain by them.
-export OMP_NUM_THREADS ?= 1
-app lab bench: export OMP_NUM_THREADS = 2
+export OMP_NUM_THREADS ?= 2
 
 .PHONY: app lab test verify bench lint bundle clean
 

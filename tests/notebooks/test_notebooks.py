@@ -1,6 +1,7 @@
 """Every notebook runs from top to bottom and stores no output; its last cell holds its numbers."""
 
 import ast
+import os
 from pathlib import Path
 
 import nbformat
@@ -14,10 +15,12 @@ NAMES = sorted(path.name for path in FOLDER.glob("*.ipynb"))
 
 
 def executed(name: str):
+    """Run a notebook; its kernel on one thread, since its many small matrices stall on more."""
     notebook = nbformat.read(FOLDER / name, as_version=4)
-    NotebookClient(
+    client = NotebookClient(
         notebook, timeout=280, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}
-    ).execute()
+    )
+    client.execute(env={**os.environ, "OMP_NUM_THREADS": "1"})
     return notebook
 
 
