@@ -49,7 +49,7 @@ class Watched:
     def open_tab(self, title):
         self.page.locator(".wb-tabs .lm-TabBar-tab", has_text=title).click()
 
-    def wait_for_figures(self, count=2, timeout=60):
+    def wait_for_figures(self, count=2, timeout=120):
         self.page.wait_for_function(
             "n => [...document.querySelectorAll('.wb-picture img')].filter(i => i.naturalWidth > "
             "0).length >= n",
