@@ -1,7 +1,6 @@
 """Every notebook runs from top to bottom and stores no output; its last cell holds its numbers."""
 
 import ast
-import os
 from pathlib import Path
 
 import nbformat
@@ -15,12 +14,10 @@ NAMES = sorted(path.name for path in FOLDER.glob("*.ipynb"))
 
 
 def executed(name: str):
-    """Run a notebook; its kernel on one thread, since its many small matrices stall on more."""
     notebook = nbformat.read(FOLDER / name, as_version=4)
-    client = NotebookClient(
+    NotebookClient(
         notebook, timeout=280, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}
-    )
-    client.execute(env={**os.environ, "OMP_NUM_THREADS": "1"})
+    ).execute()
     return notebook
 
 
