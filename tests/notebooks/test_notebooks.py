@@ -16,7 +16,7 @@ NAMES = sorted(path.name for path in FOLDER.glob("*.ipynb"))
 def executed(name: str):
     notebook = nbformat.read(FOLDER / name, as_version=4)
     NotebookClient(
-        notebook, timeout=280, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}
+        notebook, timeout=560, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}
     ).execute()
     return notebook
 
@@ -74,6 +74,7 @@ def test_first_steps():
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(600)
 def test_verification(request):
     notebook = executed("verification.ipynb")
     found = numbers(notebook)
