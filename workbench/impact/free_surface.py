@@ -15,16 +15,12 @@ from scipy.interpolate import CubicSpline
 from workbench.errors import checked_number
 from workbench.impact.generalised_wagner import wedge_flow
 from workbench.impact.section import Section, TableSection, Wedge
-from workbench.impact.similarity import similarity_solution
 
 POINTS = 121
 """Number of points of a free surface."""
 
 NODES = 48
 """Gauss points over the wetted part of a smooth section."""
-
-FARTHEST = 1e4
-"""Distance up to which the exact wedge's surface is given, in penetrations [-]."""
 
 
 class FreeSurface(NamedTuple):
@@ -129,8 +125,6 @@ def free_surface(section: Section, found: xr.Dataset, reach: float) -> FreeSurfa
         return FreeSurface(*(values[:, ::-1] for values in given)) if inwards else given
     method = found.attrs["method"]
     breadth, depth = found["wetted_half_breadth"].values, found["penetration"].values
-    if method == "similarity":
-        return _similarity_surface(section.deadrise_angle, depth)
     if method == "chuang" or (method == "generalised-wagner" and not isinstance(section, Wedge)):
         return None
     stretched = np.linspace(0.0, 1.0, POINTS) * np.arccosh(np.maximum(reach / breadth, 1.5))[:, None]
@@ -142,21 +136,3 @@ def free_surface(section: Section, found: xr.Dataset, reach: float) -> FreeSurfa
     else:
         rows = [wagner_elevation(section, c, y) for c, y in zip(breadth, position, strict=True)]
     return FreeSurface(position, np.array(rows))
-
-
-def _similarity_surface(deadrise_angle: float, penetration: np.ndarray) -> FreeSurface:
-    """Surface of the exact wedge from the jet tip outwards, at points of about equal turn and distance."""
-    exact = similarity_solution(deadrise_angle)
-    tip = exact.wall_length * np.exp(1j * deadrise_angle) - 1j
-    whole = np.concatenate([[tip], exact.surface[exact.surface.real < FARTHEST]])
-    steps = np.abs(np.diff(whole))
-    arc = np.concatenate([[0.0], np.cumsum(steps)])
-    direction = np.unwrap(np.angle(np.diff(whole)))
-    turn = np.concatenate([[0.0, 0.0], np.cumsum(np.abs(np.diff(direction)))])
-    along = np.log1p(arc) / np.log1p(arc[-1]) + turn / turn[-1]
-    at = np.interp(np.linspace(0.0, along[-1], POINTS), along, np.arange(len(whole)))
-    chosen = (
-        np.interp(at, np.arange(len(whole)), whole.real),
-        np.interp(at, np.arange(len(whole)), whole.imag),
-    )
-    return FreeSurface(*(penetration[:, None] * values for values in chosen))
