@@ -76,13 +76,13 @@ def submergence_factor(depth_over_chord: float) -> float:
     return (1 + squared) / (2 + squared)
 
 
-def plate_added_mass(chord: float, span: float, density: float) -> float:
-    """Added mass of a rectangular plate that moves broadside in unbounded water [kg].
+def plate_added_mass(chord, span, density: float):
+    """Added mass of rectangular plates that move broadside in unbounded water [kg], of sides [m] of any common shape.
 
     rho pi/4 c**2 b (1 + e**2)**-0.5 (1 - 0.425 e / (1 + e**2)), e the shorter side over the
     longer, c the shorter and b the longer [Pabst1930]_.
     """
-    short, long = min(chord, span), max(chord, span)
+    short, long = np.minimum(chord, span), np.maximum(chord, span)
     ratio = short / long
     share = (1 - 0.425 * ratio / (1 + ratio**2)) / np.sqrt(1 + ratio**2)
     return density * np.pi / 4 * short**2 * long * share

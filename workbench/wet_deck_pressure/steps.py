@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.conventions import GRAVITY
+from workbench.damping.lifting_surfaces import plate_added_mass
 from workbench.wet_deck_pressure.deck_motion import DeckMotion
 from workbench.wet_deck_pressure.settings import DeckPressureSettings
 from workbench.wet_deck_pressure.strip_flow import panel_flow
@@ -106,9 +107,7 @@ def _finite_width(profiles: StripProfiles, intervals: WettedIntervals, strips: D
     length = np.full(len(profiles), 1e-9)
     np.add.at(length, intervals.row, intervals.fore - intervals.aft)
     width = strips.width * len(strips.table)
-    short, long = np.minimum(length, width), np.maximum(length, width)
-    share = (1 - 0.425 * short * long / (short**2 + long**2)) / np.sqrt(1 + (short / long) ** 2)
-    return share * short / length
+    return plate_added_mass(length, width, 1.0) / (np.pi / 4 * length**2 * width)
 
 
 def _profiles(
